@@ -3,13 +3,11 @@
 #include <cstdio>
 #include <random>
 
-#include "core/command/local_run.h"
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
-#include "core/strategy/reference_start.h"
+#include "core/strategy/sliding.h"
 #include "core/strategy/smooth_run.h"
-#include "core/strategy/surface_first.h"
 #include "core/strategy/surface_shape.h"
 #include "core/vcv/sphere/node_vcv.h"
 
@@ -440,6 +438,102 @@ CommandResult execute(const Command& command, const MeshState& state, const RunO
   // Whatever way it went: the count is that of the mesh that is handed over.
   const Mesh& mesh = result.state.mesh;
   result.smooth.inverted = check_validity(*mesh.topology, mesh.coordinates).inverted;
+  return result;
+}
+
+namespace {
+
+// A third component that is left out is 0 where the mesh lies, in its frame not. By how many
+// numbers a place was given stays as it is.
+void put_in_frame(MoveCommand& command, const LocalFrame& frame) {
+  for (MovingBody& body : command.bodies)
+    if (body.motion.pivot) *body.motion.pivot -= frame.origin();
+}
+
+void put_in_frame(DeformCommand& command, const LocalFrame& frame) {
+  auto* table = std::get_if<DisplacementTable>(&command.shape);
+  if (table == nullptr) return;
+  for (DisplacementEntry& entry : table->entries)
+    if (!entry.node) entry.position -= frame.origin();
+}
+
+void put_in_frame(LayersCommand& command, const LocalFrame& frame) {
+  const Vec2 origin = frame.origin().head<2>();
+  for (LayerWall& wall : command.layers.walls) {
+    wall.part.xmin -= origin.x();
+    wall.part.xmax -= origin.x();
+    wall.part.ymin -= origin.y();
+    wall.part.ymax -= origin.y();
+  }
+}
+
+// These name no place.
+void put_in_frame(SmoothCommand&, const LocalFrame&) {}
+void put_in_frame(ScrambleCommand&, const LocalFrame&) {}
+void put_in_frame(EditVcvCommand&, const LocalFrame&) {}
+
+/// The places that a result names.
+void put_in_mesh(SmoothResult& result, const LocalFrame& frame) {
+  if (result.contact) put_in_mesh(result.contact->edges, frame);
+  if (result.gap) put_in_mesh(result.gap->edges, frame);
+}
+
+/// Entries that match no node are refused by the places that the user knows.
+void check_places(const Command& command, const MeshState& state) {
+  const auto* deform = std::get_if<DeformCommand>(&command);
+  if (deform == nullptr) return;
+  if (const auto* table = std::get_if<DisplacementTable>(&deform->shape))
+    make_motion(*state.mesh.topology, state.mesh.coordinates, deform->markers, *table);
+}
+
+/// Hands meshes on the way to another monitor, where that wants to see them.
+class MonitorInFrame final : public SolverMonitor {
+ public:
+  MonitorInFrame(SolverMonitor* monitor, const LocalFrame& frame, const Coordinates& rest)
+      : monitor_(monitor), frame_(frame), rest_(rest) {}
+
+  void on_topology(const std::shared_ptr<const Topology>& topology) override {
+    if (monitor_) monitor_->on_topology(topology);
+  }
+  bool on_iteration(const IterationRecord& record, const Coordinates& x) override {
+    return !monitor_ || monitor_->on_iteration(record, frame_.to_mesh(x, rest_));
+  }
+  bool cancelled() override { return monitor_ && monitor_->cancelled(); }
+
+ private:
+  SolverMonitor* monitor_;
+  const LocalFrame& frame_;
+  const Coordinates& rest_;
+};
+
+}  // namespace
+
+Command in_frame(Command command, const LocalFrame& frame) {
+  std::visit([&](auto& c) { put_in_frame(c, frame); }, command);
+  if (SmoothOptions* smooth = smooth_options(command)) {
+    smooth->keep_outside = to_local(std::move(smooth->keep_outside), frame);
+    auto& surface = smooth->slide.reference.surface;
+    if (surface) surface = moved_to(*surface, frame.origin());
+  }
+  return command;
+}
+
+CommandResult run_in_frame(const LocalFrame& frame, const Command& command, const MeshState& state,
+                           const RunOptions& options, const CarryOut& carry_out) {
+  check_places(command, state);
+  const MeshState local{frame.to_local(state.mesh), state.vcvs, state.roles, state.layers};
+  MonitorInFrame monitor(options.monitor, frame, state.mesh.coordinates);
+  RunOptions local_options = options;
+  local_options.monitor = &monitor;
+  Coordinates start;
+  if (options.start != nullptr) {
+    start = frame.to_local(*options.start);
+    local_options.start = &start;
+  }
+  CommandResult result = carry_out(in_frame(command, frame), local, local_options);
+  Coordinates& x = result.state.mesh.coordinates;
+  x = frame.to_mesh(std::move(x), state.mesh.coordinates);
+  put_in_mesh(result.smooth, frame);
   return result;
 }
 

@@ -1,6 +1,6 @@
 #include "core/command/motion_frames.h"
 
-#include "core/motion/meshes_between.h"
+#include "core/motion/transfer.h"
 
 namespace winslow {
 namespace {

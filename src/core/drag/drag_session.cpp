@@ -7,7 +7,7 @@
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
-#include "core/strategy/reference_start.h"
+#include "core/strategy/sliding.h"
 #include "core/strategy/smooth_run.h"
 #include "core/strategy/workspace.h"
 

@@ -1,10 +1,10 @@
 #include "core/formulation/surface_winslow.h"
 
 #include "core/error.h"
-#include "core/formulation/corner_lengths.h"
 #include "core/formulation/distortion.h"
 #include "core/formulation/regularisation.h"
-#include "core/formulation/sliding_rows.h"
+#include "core/formulation/row_elimination.h"
+#include "core/formulation/target_metric.h"
 #include "core/formulation/target_path.h"
 #include "core/parallel/parallel_for.h"
 #include "core/problem/node_unknowns.h"

@@ -1,9 +1,9 @@
 #include "core/formulation/variational_winslow.h"
 
-#include "core/formulation/corner_lengths.h"
 #include "core/formulation/distortion.h"
-#include "core/formulation/simplex_structure.h"
-#include "core/formulation/sliding_rows.h"
+#include "core/formulation/row_blocks.h"
+#include "core/formulation/row_elimination.h"
+#include "core/formulation/target_metric.h"
 #include "core/formulation/target_path.h"
 #include "core/parallel/parallel_for.h"
 

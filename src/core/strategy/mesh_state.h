@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "core/formulation/element_roles.h"
+#include "core/formulation/cell_targets.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
 #include "core/vcv/sphere/node_vcv.h"

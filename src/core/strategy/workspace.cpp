@@ -1,9 +1,9 @@
 #include "core/strategy/workspace.h"
 
 #include "core/formulation/target_shapes.h"
-#include "core/formulation/volume_targets.h"
 #include "core/problem/node_unknowns.h"
 #include "core/quality/volume_element.h"
+#include "core/strategy/run.h"
 
 namespace winslow {
 
@@ -242,6 +242,18 @@ SmoothingWorkspace::TimesMade SmoothingWorkspace::times_made() const {
           made_.form.times_made(), made_.computed_vcvs.times_made(),
           made_.linear.times_made() + made_.symmetric_linear.times_made() +
               made_.newton_linear.times_made()};
+}
+
+SolverCache::SolverCache() = default;
+SolverCache::~SolverCache() = default;
+SolverCache::SolverCache(SolverCache&& other) noexcept = default;
+SolverCache& SolverCache::operator=(SolverCache&& other) noexcept = default;
+
+void SolverCache::clear() { workspace_.reset(); }
+
+SmoothingWorkspace& SolverCache::workspace() {
+  if (!workspace_) workspace_ = std::make_unique<SmoothingWorkspace>();
+  return *workspace_;
 }
 
 }  // namespace winslow

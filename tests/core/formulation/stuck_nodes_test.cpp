@@ -10,7 +10,6 @@
 #include "core/formulation/surface_winslow.h"
 #include "core/formulation/target_shapes.h"
 #include "core/formulation/variational_winslow.h"
-#include "core/formulation/volume_targets.h"
 #include "core/problem/node_unknowns.h"
 #include "support/random.h"
 #include "support/space_meshes.h"

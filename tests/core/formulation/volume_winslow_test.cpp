@@ -8,10 +8,10 @@
 
 #include "core/formulation/distortion.h"
 #include "core/formulation/target_path.h"
+#include "core/formulation/target_shapes.h"
 #include "core/formulation/tetrahedron_kernel.h"
 #include "core/formulation/variational_form.h"
 #include "core/formulation/variational_winslow.h"
-#include "core/formulation/volume_targets.h"
 #include "core/quality/quality.h"
 #include "core/quality/volume_element.h"
 #include "support/formulations.h"
