@@ -44,6 +44,15 @@ struct CellTargets {
   /// Part of the elements (0 to 1) that `auto` targets keep stretched. None where the blend has no
   /// share for them.
   std::optional<double> stretched;
+
+  std::span<const Term> terms_of(std::size_t cell) const { return part(terms, cell); }
+  std::span<Term> terms_of(std::size_t cell) { return part(terms, cell); }
+
+ private:
+  template <typename Terms>
+  auto part(Terms& all, std::size_t cell) const {
+    return std::span(all).subspan(at(offsets[cell]), at(offsets[cell + 1] - offsets[cell]));
+  }
 };
 
 /// Isotropic elements, wherever they were stretched before:

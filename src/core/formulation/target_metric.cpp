@@ -23,8 +23,7 @@ std::vector<Eigen::Matrix3d> make(ElementType type, Tetrahedra tetrahedra) {
 std::array<std::vector<Eigen::Matrix3d>, 6> make_all(Tetrahedra (*tetrahedra)(ElementType)) {
   std::array<std::vector<Eigen::Matrix3d>, 6> lists;
   for (const ElementType type : all_element_types)
-    if (shape_of(type).dimension == 3)
-      lists[static_cast<std::size_t>(type)] = make(type, tetrahedra(type));
+    lists[static_cast<std::size_t>(type)] = make(type, tetrahedra(type));  // none of faces
   return lists;
 }
 
@@ -59,14 +58,6 @@ Eigen::Matrix3d in_edges(std::size_t choice) {
   return columns;
 }
 
-void take_lengths(ShapeTerm& term, double first, double second) {
-  if (!(std::abs(term.bc) <= round_off * (term.ab + term.ac))) return;
-  const double ratio = second / first;
-  term.ab = ratio;
-  term.ac = 1 / ratio;
-  term.bc = 0;
-}
-
 /// The same metric over edges of these lengths, where it has an edge at right angles to both
 /// others, or, all_right, where all three are at right angles.
 std::optional<Eigen::Matrix3d> with_lengths(const Eigen::Matrix3d& metric, const Vec3& lengths,
@@ -86,13 +77,26 @@ std::optional<Eigen::Matrix3d> with_lengths(const Eigen::Matrix3d& metric, const
   return std::nullopt;
 }
 
-/// lengths_of: of the edges of a choice.
-template <typename LengthsOf>
-void take_lengths(VolumeTerm& term, LengthsOf&& lengths_of) {
+template <int S>
+void take_lengths(ShapeTerm& term, const std::array<Index, 3>& cell, const Points<S>& x) {
+  if (!(std::abs(term.bc) <= round_off * (term.ab + term.ac))) return;
+  const double first = (x[cell[1]] - x[cell[0]]).norm(), second = (x[cell[2]] - x[cell[0]]).norm();
+  const double ratio = second / first;
+  term.ab = ratio;
+  term.ac = 1 / ratio;
+  term.bc = 0;
+}
+
+void take_lengths(VolumeTerm& term, const std::array<Index, 4>& cell, const SpacePoints& x) {
   const Eigen::Matrix3d metric = metric_of(term);
   const auto try_choice = [&](std::size_t choice, bool all_right) {
+    Vec3 lengths;
+    for (int k = 0; k < 3; ++k) {
+      const auto [from, to] = edge_choices[choice][at(k)];
+      lengths[k] = (x[cell[to]] - x[cell[from]]).norm();
+    }
     const Eigen::Matrix3d t = in_edges(choice);
-    const auto scaled = with_lengths(t * metric * t.transpose(), lengths_of(choice), all_right);
+    const auto scaled = with_lengths(t * metric * t.transpose(), lengths, all_right);
     if (!scaled) return false;
     const Eigen::Matrix3d back = t.inverse();
     term = volume_term(normalized_metric(back * *scaled * back.transpose()), term.weight);
@@ -104,47 +108,16 @@ void take_lengths(VolumeTerm& term, LengthsOf&& lengths_of) {
       if (try_choice(choice, all_right)) return;
 }
 
-template <int S>
-void take_lengths(CellTargets<2>& targets, const Points<S>& x) {
-  for (std::size_t t = 0; t < targets.cells.size(); ++t) {
-    const auto& [a, b, c] = targets.cells[t];
-    const double first = (x[b] - x[a]).norm(), second = (x[c] - x[a]).norm();
-    for (Index k = targets.offsets[t]; k < targets.offsets[t + 1]; ++k)
-      take_lengths(targets.terms[at(k)], first, second);
-  }
-}
-
-void take_lengths(CellTargets<3>& targets, const SpacePoints& x) {
-  for (std::size_t t = 0; t < targets.cells.size(); ++t) {
-    const auto& cell = targets.cells[t];
-    const auto lengths_of = [&](std::size_t choice) {
-      Vec3 lengths;
-      for (int k = 0; k < 3; ++k) {
-        const auto [from, to] = edge_choices[choice][at(k)];
-        lengths[k] = (x[cell[to]] - x[cell[from]]).norm();
-      }
-      return lengths;
-    };
-    for (Index k = targets.offsets[t]; k < targets.offsets[t + 1]; ++k)
-      take_lengths(targets.terms[at(k)], lengths_of);
-  }
-}
-
 }  // namespace
 
-template <>
-CellTargets<2> with_corner_lengths(CellTargets<2> targets, const Coordinates& x) {
-  if (x.dimension() == 2)
-    take_lengths(targets, PlanePoints(x));
-  else
-    take_lengths(targets, SpacePoints(x));
+template <int D, int S>
+CellTargets<D> with_corner_lengths(CellTargets<D> targets, const Points<S>& x) {
+  for (std::size_t t = 0; t < targets.cells.size(); ++t)
+    for (auto& term : targets.terms_of(t)) take_lengths(term, targets.cells[t], x);
   return targets;
 }
-
-template <>
-CellTargets<3> with_corner_lengths(CellTargets<3> targets, const Coordinates& x) {
-  take_lengths(targets, SpacePoints(x));
-  return targets;
-}
+template CellTargets<2> with_corner_lengths(CellTargets<2> targets, const PlanePoints& x);
+template CellTargets<2> with_corner_lengths(CellTargets<2> targets, const SpacePoints& x);
+template CellTargets<3> with_corner_lengths(CellTargets<3> targets, const SpacePoints& x);
 
 }  // namespace winslow

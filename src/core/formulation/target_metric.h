@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/formulation/cell_targets.h"
-#include "core/formulation/target_shapes.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/element_type.h"
 #include "core/types.h"
@@ -20,17 +19,18 @@ namespace winslow {
 struct TargetMetric {
   double a11 = 0, a12 = 0, a22 = 0;
 
-  static TargetMetric of(const Vec2& m1, const Vec2& m2) {
-    const double det = m1.x() * m2.y() - m1.y() * m2.x();
-    return {m2.squaredNorm() / det, -m1.dot(m2) / det, m1.squaredNorm() / det};
-  }
-  /// Of edges in space, as they lie in their own plane.
-  static TargetMetric in_space(const Vec3& m1, const Vec3& m2) {
-    const double det = m1.cross(m2).norm();
+  /// Of edges in space as they lie in their own plane.
+  template <int D>
+  static TargetMetric of(const Vec<D>& m1, const Vec<D>& m2) {
+    double det = 0;
+    if constexpr (D == 2)
+      det = m1.x() * m2.y() - m1.y() * m2.x();
+    else
+      det = m1.cross(m2).norm();
     return {m2.squaredNorm() / det, -m1.dot(m2) / det, m1.squaredNorm() / det};
   }
   static TargetMetric of_angle(double angle) {
-    return of(Vec2(1, 0), Vec2(std::cos(angle), std::sin(angle)));
+    return of<2>(Vec2(1, 0), Vec2(std::cos(angle), std::sin(angle)));
   }
   static TargetMetric of(const ShapeTerm& term) {
     return {term.ab + term.bc, -term.bc, term.ac + term.bc};
@@ -150,12 +150,8 @@ inline double stretch_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b
 ///   at the other end of the edge.
 ///
 /// Targets of triangles and tetrahedra stay, since those stand for the whole element. x:
-/// coordinates of the nodes, in space also for D = 2 (surface meshes).
-template <int D>
-CellTargets<D> with_corner_lengths(CellTargets<D> targets, const Coordinates& x);
-template <>
-CellTargets<2> with_corner_lengths(CellTargets<2> targets, const Coordinates& x);
-template <>
-CellTargets<3> with_corner_lengths(CellTargets<3> targets, const Coordinates& x);
+/// the nodes, in space also for D = 2 (surface meshes).
+template <int D, int S>
+CellTargets<D> with_corner_lengths(CellTargets<D> targets, const Points<S>& x);
 
 }  // namespace winslow

@@ -136,6 +136,9 @@ inline bool is_surface(const Topology& topology) {
 std::string_view mesh_kind(const Topology& topology);
 /// Throws UsageError unless it is a plane mesh. what: "layers", as the message is to begin.
 void require_plane(const Topology& topology, std::string_view what);
+/// Throws UsageError unless it is a volume mesh. found: as the message is to begin, mesh_kind()
+/// follows.
+void require_volume(const Topology& topology, std::string_view found);
 
 /// What a mesh is made of: faces in the plane, faces in space, cells in space. In words:
 /// mesh_kind().

@@ -1,4 +1,3 @@
-#include "core/formulation/stuck_nodes.h"
 
 #include <doctest/doctest.h>
 

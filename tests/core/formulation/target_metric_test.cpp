@@ -118,7 +118,7 @@ TEST_CASE(
   const auto right = corner_with(Eigen::Matrix3d::Identity());
   for (int sample = 0; sample < 100; ++sample) {
     const Coordinates x = random_corner(random), y = random_corner(random);
-    const auto targets = with_corner_lengths(right, x);
+    const auto targets = with_corner_lengths(right, SpacePoints(x));
     const double here = std::pow(scaled_jacobian(x), -2.0 / 3);
     CHECK(std::abs(distortion_at(targets, x) - here) <= 1e-10 * here);
     const double there = std::pow(scaled_jacobian(y), -2.0 / 3);
@@ -141,7 +141,7 @@ TEST_CASE("the same of a hexahedron's tetrahedra at an edge, by the three edges 
             at_place.xyz(3) - at_place.xyz(third);
         return edges.colwise().normalized().eval().determinant();
       };
-      const auto targets = with_corner_lengths(corner_with(metrics[k]), x);
+      const auto targets = with_corner_lengths(corner_with(metrics[k]), SpacePoints(x));
       const double here = std::pow(sine(x), -2.0 / 3), there = std::pow(sine(y), -2.0 / 3);
       CHECK(std::abs(distortion_at(targets, x) - here) <= 1e-9 * here);
       CHECK(distortion_at(targets, y) >= there * (1 - 1e-9));
@@ -172,7 +172,8 @@ TEST_CASE("the same of a quadrilateral's corner, whose distortion is 1 / sin") {
         x.values()[static_cast<std::size_t>(dimension + k)] = u[k];
         x.values()[static_cast<std::size_t>(2 * dimension + k)] = v[k];
       }
-      const auto targets = with_corner_lengths(square, x);
+      const auto targets = dimension == 2 ? with_corner_lengths(square, PlanePoints(x))
+                                          : with_corner_lengths(square, SpacePoints(x));
       CHECK(std::abs(f(targets, u, v) - 1 / sine(u, v)) <= 1e-10 / sine(u, v));
       const Vec2 other(0.3, 0.7);
       CHECK(f(targets, u, other) >= (1 - 1e-10) / sine(u, other));
@@ -189,11 +190,12 @@ TEST_CASE("at a prism's corner the height takes its own length, simplices keep t
   for (int k = 0; k < 3; ++k) x.set_xyz(k + 1, prism.col(k) * (k == 2 ? 3.0 : 1.0));
   const auto targets = corner_with(volume_metric(prism));
   CHECK(distortion_at(targets, x) > 1.2);
-  CHECK(std::abs(distortion_at(with_corner_lengths(targets, x), x) - 1) <= 1e-12);
+  CHECK(std::abs(distortion_at(with_corner_lengths(targets, SpacePoints(x)), x) - 1) <= 1e-12);
 
   Random random(7);
   const auto tetrahedron = corner_with(regular_metrics(ElementType::tetrahedron)[0]);
-  const auto after = with_corner_lengths(tetrahedron, random_corner(random));
+  const Coordinates corner = random_corner(random);
+  const auto after = with_corner_lengths(tetrahedron, SpacePoints(corner));
   CHECK(metric_of(after.terms[0]) == metric_of(tetrahedron.terms[0]));
 }
 
