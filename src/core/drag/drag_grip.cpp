@@ -66,30 +66,18 @@ RigidMotion motion_between(const DragGrip& grip, const RigidMotion& from, const 
   return {.translate = Vec3(to.translate - from.translate), .axis = to.axis};
 }
 
-namespace {
-
-template <int D>
-RigidMotion fit_part(std::span<const Index> nodes, std::span<const double> shares,
-                     const Points<D>& before, const Points<D>& after) {
-  Vec<D> sum = Vec<D>::Zero();
-  double weight = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    sum += shares[i] * (after[nodes[i]] - before[nodes[i]]);
-    weight += shares[i] * shares[i];
-  }
-  RigidMotion motion;
-  if (weight > 0) motion.translate = sum / weight;
-  if (D == 3) motion.axis = Vec3::UnitZ();
-  return motion;
-}
-
-}  // namespace
-
 RigidMotion fit_motion(std::span<const Index> nodes, std::span<const double> shares,
                        const Coordinates& rest, const Coordinates& x) {
   if (shares.empty()) return fit_rigid_motion(nodes, rest, x);
-  if (rest.dimension() == 3) return fit_part<3>(nodes, shares, SpacePoints(rest), SpacePoints(x));
-  return fit_part<2>(nodes, shares, PlanePoints(rest), PlanePoints(x));
+  Vec3 sum(0, 0, 0);
+  double weight = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    sum += shares[i] * (place_of(x, nodes[i]) - place_of(rest, nodes[i]));
+    weight += shares[i] * shares[i];
+  }
+  RigidMotion motion = fit_rigid_motion({}, rest, x);  // none, in space with an axis
+  if (weight > 0) motion.translate = sum / weight;
+  return motion;
 }
 
 double faded_share(double distance, double radius) {

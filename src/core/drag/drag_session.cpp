@@ -36,12 +36,6 @@ RigidMotion with_turns_of(const RigidMotion& from, const RigidMotion& to, double
   return with_turns(fitted, turning, start + fraction * (to.rotate - start));
 }
 
-Vec3 place(const Coordinates& x, Index node) {
-  if (x.dimension() == 3) return x.xyz(node);
-  const Vec2 p = x.xy(node);
-  return {p.x(), p.y(), 0};
-}
-
 }  // namespace
 
 /// The thread and what it shares with its owner. What lies below `mutex_` is guarded by it.
@@ -286,10 +280,10 @@ class DragSession::Impl final : public SolverMonitor {
   bool reached(const RigidMotion& target, const Coordinates& x) const {
     constexpr double round_off = 1e-12;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      const Vec3 rest = place(state_.mesh.coordinates, nodes_[i]);
+      const Vec3 rest = place_of(state_.mesh.coordinates, nodes_[i]);
       const Vec3 there =
           grip_.rigid() ? transform(target, rest) : Vec3(rest + grip_.shares[i] * target.translate);
-      if ((there - place(x, nodes_[i])).norm() > round_off * (1 + there.norm())) return false;
+      if ((there - place_of(x, nodes_[i])).norm() > round_off * (1 + there.norm())) return false;
     }
     return true;
   }

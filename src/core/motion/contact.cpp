@@ -412,17 +412,16 @@ std::optional<Gap> gap_of(const Topology& topology, const Coordinates& x,
 
 std::optional<Contact> find_contact(const Topology& topology, const Coordinates& rest,
                                     const Motion& motion, std::span<const Index> yielding) {
-  if (topology.cell_dimension() == 3)
-    return ContactSearch<3>(topology, rest, motion, yielding).first();
-  require_plane(topology, "motions");
-  return ContactSearch<2>(topology, rest, motion, yielding).first();
+  return in_dimension(topology, "motions", [&](auto dimension) {
+    return ContactSearch<dimension()>(topology, rest, motion, yielding).first();
+  });
 }
 
 std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
                                 std::span<const Index> moving, std::span<const Index> yielding) {
-  if (topology.cell_dimension() == 3) return gap_of<3>(topology, x, moving, yielding);
-  require_plane(topology, "motions");
-  return gap_of<2>(topology, x, moving, yielding);
+  return in_dimension(topology, "motions", [&](auto dimension) {
+    return gap_of<dimension()>(topology, x, moving, yielding);
+  });
 }
 
 std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,

@@ -114,13 +114,8 @@ class SharedNodes {
       motions_[a]->apply(rest_, fraction, by_a);
       motions_[b]->apply(rest_, fraction, by_b);
       for (const Index node : shared)
-        if (distance(by_a, by_b, node) > least) refuse(a, b, node);
+        if ((place_of(by_a, node) - place_of(by_b, node)).norm() > least) refuse(a, b, node);
     }
-  }
-
-  static double distance(const Coordinates& x, const Coordinates& y, Index node) {
-    return x.dimension() == 3 ? (x.xyz(node) - y.xyz(node)).norm()
-                              : (x.xy(node) - y.xy(node)).norm();
   }
 
   [[noreturn]] void refuse(std::size_t a, std::size_t b, Index node) const {
@@ -140,13 +135,12 @@ class SharedNodes {
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const RigidMotion& options) {
-  const bool volume = topology.cell_dimension() == 3;
-  if (!volume) require_plane(topology, "rigid motions");
-  std::vector<Index> nodes = moving_nodes(topology, markers);
-  const RigidMotion motion =
-      resolve_motion(options, volume ? 3 : 2, body_centre(body_box(rest, nodes)));
-  if (volume) return std::make_unique<Rigid<3>>(std::move(nodes), motion);
-  return std::make_unique<Rigid<2>>(std::move(nodes), motion);
+  return in_dimension(topology, "rigid motions", [&](auto dimension) -> std::unique_ptr<Motion> {
+    std::vector<Index> nodes = moving_nodes(topology, markers);
+    const RigidMotion motion =
+        resolve_motion(options, dimension, body_centre(body_box(rest, nodes)));
+    return std::make_unique<Rigid<dimension()>>(std::move(nodes), motion);
+  });
 }
 
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
@@ -280,11 +274,39 @@ double fade_factor(const SineDeformation& options, double s) {
   return factor;
 }
 
-/// direction, along: of length 1.
+/// The direction of the displacement and the way in which the sine runs, of length 1.
+template <int D>
+std::pair<Vec<D>, Vec<D>> directions_of(const SineDeformation& options);
+
+template <>
+std::pair<Vec3, Vec3> directions_of<3>(const SineDeformation& options) {
+  const Vec3& direction = options.direction;
+  if (options.along) {
+    require_finite(options.along->sum(), "the way along which the sine runs");
+    if (options.along->norm() == 0) throw UsageError("the way along which the sine runs is zero");
+    return {direction.normalized(), options.along->normalized()};
+  }
+  const Vec3 across = direction.cross(Vec3::UnitZ());
+  constexpr double least = 1e-9;
+  if (across.norm() <= least * direction.norm())
+    throw UsageError("a sine whose direction is that of z needs a way along which it runs (along)");
+  return {direction.normalized(), across.normalized()};
+}
+
+template <>
+std::pair<Vec2, Vec2> directions_of<2>(const SineDeformation& options) {
+  if (options.along || options.direction.leaves_plane())
+    throw UsageError(
+        "a way along which a sine runs or a third component: only for a volume mesh, and this is a "
+        "plane mesh");
+  const Vec2 direction = Vec2(options.direction.head<2>()).normalized();
+  return {direction, Vec2(direction.y(), -direction.x())};
+}
+
 template <int D>
 std::unique_ptr<Motion> sine_motion(std::vector<Index> nodes, const Coordinates& rest,
-                                    const SineDeformation& options, const Vec<D>& direction,
-                                    const Vec<D>& along) {
+                                    const SineDeformation& options) {
+  const auto [direction, along] = directions_of<D>(options);
   double low = along.dot(rest.get<D>(nodes.front())), high = low;
   for (const Index node : nodes) {
     low = std::min(low, along.dot(rest.get<D>(node)));
@@ -301,22 +323,6 @@ std::unique_ptr<Motion> sine_motion(std::vector<Index> nodes, const Coordinates&
   }
   return std::make_unique<Displaced<D>>(std::move(nodes), std::move(displacements));
 }
-
-/// The way in which a sine runs in space.
-Vec3 way_of(const SineDeformation& options, const Vec3& direction) {
-  if (options.along) {
-    require_finite(options.along->sum(), "the way along which the sine runs");
-    if (options.along->norm() == 0) throw UsageError("the way along which the sine runs is zero");
-    return options.along->normalized();
-  }
-  const Vec3 across = direction.cross(Vec3::UnitZ());
-  constexpr double least = 1e-9;
-  if (across.norm() <= least * direction.norm())
-    throw UsageError("a sine whose direction is that of z needs a way along which it runs (along)");
-  return across.normalized();
-}
-
-bool is_volume(const Topology& topology) { return topology.cell_dimension() == 3; }
 
 /// Matches entries given by position to nodes: the nearest within a tolerance.
 template <int D>
@@ -408,37 +414,25 @@ std::unique_ptr<Motion> table_motion(std::vector<Index> nodes, const Coordinates
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const SineDeformation& options) {
-  if (!is_volume(topology)) require_plane(topology, "sine deformations");
-  require_finite(options.amplitude, "the amplitude");
-  require_finite(options.waves, "the number of waves");
-  require_finite(options.direction.sum(), "the direction");
-  if (options.direction.norm() == 0) throw UsageError("the direction of the sine is zero");
-  if (!(options.fade_length > 0 && options.fade_length <= 0.5)) {
-    throw UsageError("the fade length is not in (0, 0.5]");
-  }
-  std::vector<Index> nodes = moving_nodes(topology, markers);
-  if (is_volume(topology)) {
-    return sine_motion<3>(std::move(nodes), rest, options, options.direction.normalized(),
-                          way_of(options, options.direction));
-  }
-  if (options.along || options.direction.leaves_plane()) {
-    throw UsageError(
-        "a way along which a sine runs or a third component: only for a volume mesh, and this is a "
-        "plane mesh");
-  }
-  const Vec2 direction = Vec2(options.direction.head<2>()).normalized();
-  return sine_motion<2>(std::move(nodes), rest, options, direction,
-                        Vec2(direction.y(), -direction.x()));
+  return in_dimension(topology, "sine deformations", [&](auto dimension) {
+    require_finite(options.amplitude, "the amplitude");
+    require_finite(options.waves, "the number of waves");
+    require_finite(options.direction.sum(), "the direction");
+    if (options.direction.norm() == 0) throw UsageError("the direction of the sine is zero");
+    if (!(options.fade_length > 0 && options.fade_length <= 0.5))
+      throw UsageError("the fade length is not in (0, 0.5]");
+    return sine_motion<dimension()>(moving_nodes(topology, markers), rest, options);
+  });
 }
 
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const DisplacementTable& table) {
-  if (!is_volume(topology)) require_plane(topology, "displacements");
-  std::vector<Index> nodes = moving_nodes(topology, markers);
-  if (table.entries.empty()) throw UsageError("the displacement table is empty");
-  return is_volume(topology) ? table_motion<3>(std::move(nodes), rest, table)
-                             : table_motion<2>(std::move(nodes), rest, table);
+  return in_dimension(topology, "displacements", [&](auto dimension) {
+    std::vector<Index> nodes = moving_nodes(topology, markers);
+    if (table.entries.empty()) throw UsageError("the displacement table is empty");
+    return table_motion<dimension()>(std::move(nodes), rest, table);
+  });
 }
 
 }  // namespace winslow

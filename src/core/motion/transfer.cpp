@@ -67,25 +67,14 @@ class StraightTransfer final : public Motion {
   Coordinates target_;
 };
 
-std::unique_ptr<Motion> make_straight(const NodeClasses& classes, const Coordinates& from,
-                                      const Coordinates& to) {
-  std::vector<Index> nodes;
-  for (Index node = 0; node < from.size(); ++node) {
-    if (!classes.moves(node) && !from.same_place(node, to)) nodes.push_back(node);
-  }
-  return std::make_unique<StraightTransfer>(std::move(nodes), to);
-}
-
 }  // namespace
 
 std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordinates& from,
                                       const Coordinates& to) {
-  if (from.dimension() == 3) return make_straight(classes, from, to);
-  require_plane(classes.topology(), "motions");
   std::vector<Index> nodes;
-  for (Index node = 0; node < from.size(); ++node) {
-    if (!classes.moves(node) && from.xy(node) != to.xy(node)) nodes.push_back(node);
-  }
+  for (Index node = 0; node < from.size(); ++node)
+    if (!classes.moves(node) && !from.same_place(node, to)) nodes.push_back(node);
+  if (from.dimension() == 3) return std::make_unique<StraightTransfer>(std::move(nodes), to);
   return std::make_unique<Transfer>(std::move(nodes), from, to);
 }
 
@@ -175,8 +164,8 @@ std::vector<Coordinates> meshes_between(const Topology& topology,
                                         std::span<const std::vector<Index>> bodies,
                                         const Coordinates& from, const Coordinates& to) {
   if (from.size() != to.size()) return {};
-  return topology.cell_dimension() == 3 ? between<3>(topology, bodies, from, to)
-                                        : between<2>(topology, bodies, from, to);
+  return in_dimension(
+      from, [&]<int D>(const Points<D>&) { return between<D>(topology, bodies, from, to); });
 }
 
 }  // namespace winslow

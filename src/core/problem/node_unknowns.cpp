@@ -28,18 +28,8 @@ double mean_edge_at(const Topology& topology, const Points<D>& x, Index node) {
   return sum / static_cast<double>(neighbours.size());
 }
 
-/// visit(D as a constant, the points of x): what is the same in the plane and in space.
-template <typename Visit>
-void in_dimension(const Coordinates& x, Visit&& visit) {
-  if (x.dimension() == 2) {
-    visit(std::integral_constant<int, 2>(), PlanePoints(x));
-  } else {
-    visit(std::integral_constant<int, 3>(), SpacePoints(x));
-  }
-}
-
-Vec3 in_space(const Vec2& p) { return {p.x(), p.y(), 0}; }
-Vec3 in_space(const Vec3& p) { return p; }
+Vec3 point_in_space(const Vec2& p) { return {p.x(), p.y(), 0}; }
+Vec3 point_in_space(const Vec3& p) { return p; }
 
 }  // namespace
 
@@ -93,20 +83,18 @@ Vec<D> NodeUnknowns::move_of(std::size_t i, const Vec<D>& from,
   const double* own = rates.data() + first(i);
   if (!classes_->slides(nodes()[i])) return Vec<D>(own);
   Vec<D> move = Vec<D>::Zero();
-  for (const Vec3& direction : classes_->foot(nodes()[i], in_space(from)).frame)
+  for (const Vec3& direction : classes_->foot(nodes()[i], point_in_space(from)).frame)
     move += *own++ * direction.head<D>();
   return move;
 }
 
 double NodeUnknowns::mean_edge(const Coordinates& x, Index node) const {
-  double mean = 0;
-  in_dimension(x, [&](auto, const auto& points) { mean = mean_edge_at(topology(), points, node); });
-  return mean;
+  return in_dimension(x,
+                      [&](const auto& points) { return mean_edge_at(topology(), points, node); });
 }
 
 void NodeUnknowns::values(const Coordinates& x, std::span<double> out) const {
-  in_dimension(x, [&](auto dimension, const auto& points) {
-    constexpr int D = decltype(dimension)::value;
+  in_dimension(x, [&]<int D>(const Points<D>& points) {
     for (std::size_t i = 0; i < nodes().size(); ++i) {
       const Vec<D> p = points[nodes()[i]];
       double* own = out.data() + first(i);
@@ -123,22 +111,20 @@ void NodeUnknowns::values(const Coordinates& x, std::span<double> out) const {
 }
 
 void NodeUnknowns::lengths(const Coordinates& x, std::span<double> out) const {
-  in_dimension(x, [&](auto, const auto& points) {
+  in_dimension(x, [&](const auto& points) {
     for (std::size_t i = 0; i < nodes().size(); ++i) {
       std::fill_n(out.data() + first(i), count(i), mean_edge_at(topology(), points, nodes()[i]));
     }
   });
 }
 
-template <int D>
 void NodeUnknowns::place_others(Coordinates& x) const {
   for (const auto& [image, node, transform] : images())
-    x.template set<D>(image, transform->of(in_space(x.template get<D>(node))).template head<D>());
+    set_place(x, image, transform->of(place_of(x, node)));
   for (const auto& row : rows()) {
-    const auto places = row->places(in_space(x.template get<D>(row->first())),
-                                    in_space(x.template get<D>(row->last())));
+    const auto places = row->places(place_of(x, row->first()), place_of(x, row->last()));
     for (std::size_t k = 0; k < places.between.size(); ++k)
-      x.template set<D>(row->between()[k], places.between[k].point.template head<D>());
+      set_place(x, row->between()[k], places.between[k].point);
   }
 }
 
@@ -146,8 +132,7 @@ double NodeUnknowns::advance(std::span<const double> direction, double step, Coo
   constexpr Index block = 512;  // the way back to a curved surface takes a search
   const auto count = static_cast<Index>(nodes().size());
   std::vector<double> largest2(at((count + block - 1) / block), 0.0);
-  in_dimension(x, [&](auto dimension, const auto&) {
-    constexpr int D = decltype(dimension)::value;
+  in_dimension(x, [&]<int D>(const Points<D>&) {
     const auto move_nodes = [&](Index begin, Index end) {
       double& largest = largest2[at(begin / block)];
       for (Index i = begin; i < end; ++i) {
@@ -156,43 +141,38 @@ double NodeUnknowns::advance(std::span<const double> direction, double step, Coo
         Vec<D> to = from + step * move_of<D>(at(i), from, direction);
         // A move along the tangent leaves a curved boundary: back to it.
         if (classes_->slides(node))
-          to = classes_->foot(node, in_space(to)).point.template head<D>();
+          to = classes_->foot(node, point_in_space(to)).point.template head<D>();
         x.template set<D>(node, to);
         largest = std::max(largest, (to - from).squaredNorm());
       }
     };
     parallel_for(threads_, count, move_nodes, block);
-    place_others<D>(x);
   });
+  place_others(x);
   return std::sqrt(largest2.empty() ? 0 : *std::ranges::max_element(largest2));
 }
 
 void NodeUnknowns::velocities(const Coordinates& x, std::span<const double> rates,
                               Coordinates& out) const {
-  in_dimension(x, [&](auto dimension, const auto& points) {
-    constexpr int D = decltype(dimension)::value;
+  in_dimension(x, [&]<int D>(const Points<D>& points) {
     for (std::size_t i = 0; i < nodes().size(); ++i) {
       out.template set<D>(nodes()[i], move_of<D>(i, points[nodes()[i]], rates));
     }
-    for (const auto& [image, node, transform] : images()) {
-      const Vec3 rate = transform->rotation * in_space(out.template get<D>(node));
-      out.template set<D>(image, rate.template head<D>());
-    }
-    for (const auto& row : rows()) {
-      const auto places =
-          row->places(in_space(points[row->first()]), in_space(points[row->last()]));
-      const auto speed = [&](Index node, const CurvePoint<3>& place) {
-        return classes_->moves(node) ? place.tangent.dot(in_space(out.template get<D>(node))) : 0;
-      };
-      const double first = speed(row->first(), places.first);
-      const double last = speed(row->last(), places.last);
-      for (std::size_t k = 0; k < places.between.size(); ++k) {
-        const double along = first + row->part_of_last(k) * (last - first);
-        out.template set<D>(row->between()[k],
-                            along * places.between[k].tangent.template head<D>());
-      }
-    }
   });
+  for (const auto& [image, node, transform] : images())
+    set_place(out, image, transform->rotation * place_of(out, node));
+  for (const auto& row : rows()) {
+    const auto places = row->places(place_of(x, row->first()), place_of(x, row->last()));
+    const auto speed = [&](Index node, const CurvePoint<3>& place) {
+      return classes_->moves(node) ? place.tangent.dot(place_of(out, node)) : 0;
+    };
+    const double first = speed(row->first(), places.first);
+    const double last = speed(row->last(), places.last);
+    for (std::size_t k = 0; k < places.between.size(); ++k) {
+      const double along = first + row->part_of_last(k) * (last - first);
+      set_place(out, row->between()[k], along * places.between[k].tangent);
+    }
+  }
 }
 
 double NodeUnknowns::largest_valid_step(const Coordinates& from, const Coordinates& to,
@@ -210,7 +190,7 @@ Validity NodeUnknowns::validity(const Coordinates& x) const {
 double NodeUnknowns::residual_round_off(const Coordinates& x) const {
   constexpr double safety = 16;
   double worst = 0;
-  in_dimension(x, [&](auto, const auto& points) {
+  in_dimension(x, [&](const auto& points) {
     for (const Index node : nodes()) {
       const double edge = mean_edge_at(topology(), points, node);
       if (edge > 0) worst = std::max(worst, points[node].template lpNorm<Eigen::Infinity>() / edge);

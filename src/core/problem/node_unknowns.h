@@ -74,7 +74,6 @@ class NodeUnknowns {
     std::vector<NodeImage> images;
   };
   /// Puts the nodes that have no unknowns of their own where those of the others take them.
-  template <int D>
   void place_others(Coordinates& x) const;
   template <int D>
   Vec<D> move_of(std::size_t i, const Vec<D>& from, std::span<const double> rates) const;
