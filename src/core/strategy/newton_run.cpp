@@ -129,6 +129,14 @@ void NewtonRun::end_path(Coordinates& x, double reached) {
   recorder_.iterate(newton(), x, Stage::newton, reached, 0);
 }
 
+void NewtonRun::move(const Motion& motion, const Coordinates& rest, int increments,
+                     Coordinates& x) {
+  if (increments > 0)
+    move_in_steps(motion, rest, increments, x);
+  else
+    move_along_path(motion, rest, x);
+}
+
 void NewtonRun::move_along_path(const Motion& motion, const Coordinates& rest, Coordinates& x) {
   const Topology& topology = *state_.mesh.topology;
   SmoothResult& result = recorder_.result();
@@ -411,18 +419,9 @@ void PointwiseRun::smooth(Coordinates& x, double fraction, const Coordinates* re
           x);
 }
 
-void PointwiseRun::move_along_path(const Motion& motion, const Coordinates& rest, Coordinates& x) {
-  attempt([&](Coordinates& y) { NewtonRun::move_along_path(motion, rest, y); },
-          [&](Coordinates& y) {
-            move_by_fixed_point(rest, motion, 0, workspace().options().max_iterations,
-                                workspace().picard(), recorder(), y);
-          },
-          x);
-}
-
-void PointwiseRun::move_in_steps(const Motion& motion, const Coordinates& rest, int increments,
-                                 Coordinates& x) {
-  attempt([&](Coordinates& y) { NewtonRun::move_in_steps(motion, rest, increments, y); },
+void PointwiseRun::move(const Motion& motion, const Coordinates& rest, int increments,
+                        Coordinates& x) {
+  attempt([&](Coordinates& y) { NewtonRun::move(motion, rest, increments, y); },
           [&](Coordinates& y) {
             move_by_fixed_point(rest, motion, increments, workspace().options().max_iterations,
                                 workspace().picard(), recorder(), y);

@@ -17,21 +17,19 @@ class NewtonRun {
  public:
   virtual ~NewtonRun() = default;
 
-  /// Limits before which move_along_path() ends.
+  /// Limits before which move() along a path ends.
   void keep_within(QualityFloor floor) { floor_ = std::move(floor); }
-  /// move_along_path() does not begin a motion that contact blocks.
+  /// move() along a path does not begin a motion that contact blocks.
   void end_at_contact(bool whether) { end_at_contact_ = whether; }
-  /// There is no contact on the way: move_along_path() need not look for one.
+  /// There is no contact on the way: move() need not look for one.
   void way_is_clear() { way_is_clear_ = true; }
   /// The boundary stays. reference: a valid mesh of the same connectivity that says how large the
   /// triangles are to be while they are untangled; may be null.
   virtual void smooth(Coordinates& x, double fraction, const Coordinates* reference);
-  /// Moves the boundary from x (any mesh; where the motion begins) along a path of valid meshes.
-  /// Stops at the last one if it leads no further. rest: what the motion refers to.
-  virtual void move_along_path(const Motion& motion, const Coordinates& rest, Coordinates& x);
-  /// Moves the boundary in equal steps, each at once.
-  virtual void move_in_steps(const Motion& motion, const Coordinates& rest, int increments,
-                             Coordinates& x);
+  /// Moves the boundary from x (any mesh; where the motion begins) in so many equal steps, each at
+  /// once; 0: along a path of valid meshes. Stops at the last one if it leads no further. rest:
+  /// what the motion refers to.
+  virtual void move(const Motion& motion, const Coordinates& rest, int increments, Coordinates& x);
 
  protected:
   /// The workspace is prepared. The references outlive the run.
@@ -68,6 +66,8 @@ class NewtonRun {
   RunRecorder& recorder() { return recorder_; }
 
  private:
+  void move_along_path(const Motion& motion, const Coordinates& rest, Coordinates& x);
+  void move_in_steps(const Motion& motion, const Coordinates& rest, int increments, Coordinates& x);
   bool untangle(Coordinates& x, double fraction, const Coordinates* reference);
   bool approach(Coordinates& x, double fraction);
   void begin_with_own_shapes(const Coordinates& start, Coordinates& x);
@@ -149,9 +149,7 @@ class PointwiseRun final : public NewtonRun {
       : NewtonRun(state, workspace, recorder) {}
 
   void smooth(Coordinates& x, double fraction, const Coordinates* reference) override;
-  void move_along_path(const Motion& motion, const Coordinates& rest, Coordinates& x) override;
-  void move_in_steps(const Motion& motion, const Coordinates& rest, int increments,
-                     Coordinates& x) override;
+  void move(const Motion& motion, const Coordinates& rest, int increments, Coordinates& x) override;
 
  private:
   using Way = std::function<void(Coordinates& x)>;

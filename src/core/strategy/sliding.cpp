@@ -63,13 +63,8 @@ class RowMotion final : public Motion {
     motion_.apply(rest, fraction, out);
     for (const auto& row : rows_) {
       const auto places = row->places(place_of(out, row->first()), place_of(out, row->last()));
-      for (std::size_t k = 0; k < places.between.size(); ++k) {
-        const Vec3& p = places.between[k].point;
-        if (out.dimension() == 3)
-          out.set_xyz(row->between()[k], p);
-        else
-          out.set_xy(row->between()[k], p.head<2>());
-      }
+      for (std::size_t k = 0; k < places.between.size(); ++k)
+        set_place(out, row->between()[k], places.between[k].point);
     }
   }
 
@@ -162,10 +157,6 @@ std::unique_ptr<const Motion> with_rows(const Motion& motion, const CurveRows& r
 
 namespace {
 
-std::string text_of(const Vec3& p, int dimension) {
-  return dimension == 2 ? place_text(Vec2(p.head<2>())) : place_text(p);
-}
-
 /// A node of a body and one beside it that slides, on a face of the boundary.
 struct Junction {
   Index moving, sliding;
@@ -213,7 +204,7 @@ void require_along(const Mesh& mesh, const Motion& motion, const std::vector<Sli
       const double off = (foot.point - place).norm();
       if (off <= share * (box.size().norm() + (place - rest).norm())) continue;
       throw UsageError("node " + std::to_string(junction.moving) + " at " +
-                       text_of(rest, dimension) + " stands on \"" + part.marker +
+                       place_text(rest, dimension) + " stands on \"" + part.marker +
                        "\", which slides (" + part.description +
                        "): expected a motion along it, and this one takes the node off it by " +
                        number_text(off));
@@ -260,7 +251,7 @@ ReferenceStart put_on_reference(const SlideOptions& slide, const MeshState& stat
   if (start == nullptr) return out;
   out.start = *start;
   // What is no mesh of this kind is refused by the run.
-  if (start->size() != state.mesh.coordinates.size() || start->dimension() != 3) return out;
+  if (!start->alike(state.mesh.coordinates)) return out;
   out.start = put_on(boundary, std::move(*out.start));
   if (check_validity(topology, *out.start).inverted > check_validity(topology, *start).inverted)
     out.start.reset();

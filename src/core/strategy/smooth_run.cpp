@@ -26,8 +26,7 @@ int most_updates(const Coordinates& given, const SmoothingWorkspace& workspace) 
   constexpr int after_tangle = 10;  // the angles halve their distance to the last ones each time
   const SmoothOptions& options = workspace.options();
   const Topology& topology = workspace.classes().topology();
-  if (topology.cell_dimension() != 3 || !refers_to_vcvs(options) || !follows_mesh(options.vcv))
-    return 0;
+  if (!workspace.vcvs_follow_mesh()) return 0;
   const bool tangled = check_validity(topology, given, options.threads).inverted > 0;
   return tangled ? std::max(after_tangle, options.vcv_updates) : options.vcv_updates;
 }
@@ -129,7 +128,7 @@ bool move_from(const MeshState& state, const Motion& motion, const Coordinates& 
   motion.apply(state.mesh.coordinates, 1, target);
   if (valid(start)) {
     x = start;
-    steps.move_along_path(*make_transfer(classes, start, target), start, x);
+    steps.move(*make_transfer(classes, start, target), start, 0, x);
     return true;
   }
   Coordinates within = unknowns_within(classes, start, target);
@@ -273,11 +272,10 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
   steps->keep_within(how.floor);
   steps->end_at_contact(run.all_or_nothing);
   if (known) steps->way_is_clear();
-  if (how.increments > 0) {
-    steps->move_in_steps(motion, state.mesh.coordinates, how.increments, x);
-  } else if (!near_start || !move_from(state, motion, *run.start, workspace, *steps, x)) {
-    x = state.mesh.coordinates;
-    steps->move_along_path(motion, state.mesh.coordinates, x);
+  const bool along_path = how.increments == 0;
+  if (!along_path || !near_start || !move_from(state, motion, *run.start, workspace, *steps, x)) {
+    if (along_path) x = state.mesh.coordinates;
+    steps->move(motion, state.mesh.coordinates, how.increments, x);
   }
   if (!how.floor.given()) follow_with_vcvs(state, workspace, recorder, x);
   if (options.raise_worst) raise_worst_element(workspace, recorder, result.fraction_reached, x);
@@ -287,10 +285,8 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
 
 Coordinates starting_point(const MeshState& state, const RunOptions& options) {
   if (!options.start) return state.mesh.coordinates;
-  if (options.start->size() != state.mesh.coordinates.size() ||
-      options.start->dimension() != state.mesh.coordinates.dimension()) {
+  if (!options.start->alike(state.mesh.coordinates))
     throw UsageError("the start has another number of nodes than the mesh");
-  }
   Coordinates x = state.mesh.coordinates;
   for (const Index node : state.mesh.topology->interior_nodes()) {
     x.copy_node(node, *options.start);
@@ -432,9 +428,7 @@ SmoothResult smooth_surface_first(const MeshState& state, const SmoothOptions& o
                                   Coordinates& x, const RunOptions& run) {
   const Mesh& mesh = state.mesh;
   const SlideOptions& slide = options.slide;
-  if (mesh.topology->cell_dimension() != 3)
-    throw UsageError("surface_first: for a volume mesh, and this is a " +
-                     std::string(mesh_kind(*mesh.topology)));
+  require_volume(*mesh.topology, "surface_first: for a volume mesh, and this is a ");
   if (slide.markers.empty())
     throw UsageError("surface_first: no marker slides: name those whose surface is to be smoothed");
   if (!slide.periodic.empty())

@@ -101,6 +101,10 @@ class SmoothingWorkspace {
   /// newton() are others then.
   bool drop_guards_broken_at(const Coordinates& x);
 
+  /// Whether the equations are over VCVs that follow the mesh: adjusted ones of a volume mesh.
+  bool vcvs_follow_mesh() const {
+    return in_space() && refers_to_vcvs(options_) && follows_mesh(options_.vcv);
+  }
   /// Adjusted VCVs of a volume mesh take the angles of the mesh as it is now, up to the next
   /// prepare(); those of all other kinds stay. Returns how many changed.
   Index adjust_vcvs(const Coordinates& x);
@@ -122,7 +126,7 @@ class SmoothingWorkspace {
   LinearSolver& linear() { return *general_solver(made_.linear); }
   /// For the pointwise form's Jacobians.
   LinearSolver& newton_linear() { return *general_solver(made_.newton_linear); }
-  /// Of a volume mesh, as the options, prepare() and adjust_vcvs() have them.
+  /// Of a volume mesh, as the options, prepare() and adjust_vcvs() have them; null: of another.
   std::shared_ptr<const VolumeVcvs> volume_vcvs();
   ClipVariants<EquationProblem> pointwise();
 
@@ -244,8 +248,6 @@ class SmoothingWorkspace {
   const ComputedVcvs& computed_vcvs();
   const std::shared_ptr<LinearSolver>& general_solver(KeyedSolver& solver);
   const std::shared_ptr<LinearSolver>& shared_symmetric_linear();
-  template <int D>
-  ClipVariants<EquationProblem> make_pointwise(const PointwiseKey& key) const;
   FormKey form_key();
   std::shared_ptr<const VariationalForm> make_form(const FormKey& key);
   template <typename Form>

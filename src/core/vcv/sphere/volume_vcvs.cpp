@@ -13,9 +13,8 @@ namespace {
 constexpr Index star_block = 64;
 
 void require_volume(const Topology& topology) {
-  if (topology.cell_dimension() == 3) return;
-  throw UsageError("virtual control volumes of solid angles: expected a volume mesh, found a " +
-                   std::string(mesh_kind(topology)));
+  require_volume(topology,
+                 "virtual control volumes of solid angles: expected a volume mesh, found a ");
 }
 
 }  // namespace
