@@ -7,11 +7,50 @@
 #include "core/formulation/cell_targets.h"
 #include "core/formulation/row_elimination.h"
 #include "core/formulation/simplex_kernel.h"
+#include "core/linear/pattern_builder.h"
 #include "core/linear/sparse_system.h"
+#include "core/mesh/index_sets.h"
 #include "core/problem/node_unknowns.h"
 #include "core/types.h"
 
 namespace winslow {
+
+/// Of each row, the corners of cells at it: N * cell + corner, ascending. row_of_node: -1 for nodes
+/// without a row.
+template <std::size_t N>
+CompressedRows corners_of_rows(const std::vector<std::array<Index, N>>& cells,
+                               std::span<const Index> row_of_node, Index rows) {
+  CompressedRows corners;
+  corners.offsets.assign(at(rows) + 1, 0);
+  const auto each_corner = [&](const auto& visit) {
+    for (std::size_t t = 0; t < cells.size(); ++t)
+      for (std::size_t c = 0; c < N; ++c)
+        if (const Index row = row_of_node[at(cells[t][c])]; row >= 0)
+          visit(at(row), static_cast<Index>(N * t + c));
+  };
+  each_corner([&](std::size_t row, Index) { ++corners.offsets[row + 1]; });
+  std::partial_sum(corners.offsets.begin(), corners.offsets.end(), corners.offsets.begin());
+  corners.values.resize(at(corners.offsets.back()));
+  std::vector<Index> next = corners.offsets;
+  each_corner([&](std::size_t row, Index corner) { corners.values[at(next[row]++)] = corner; });
+  return corners;
+}
+
+/// The pattern with an entry for every pair of rows with a common cell. corners: of the rows.
+template <std::size_t N>
+std::shared_ptr<SparsityPattern> pattern_of_cells(const std::vector<std::array<Index, N>>& cells,
+                                                  const CompressedRows& corners,
+                                                  std::span<const Index> row_of_node, int threads) {
+  const auto list = [&](Index row, std::vector<Index>& columns) {
+    columns.assign(1, row);
+    for (const Index corner : corners[row])
+      for (const Index node : cells[at(corner) / N])
+        if (const Index other = row_of_node[at(node)]; other >= 0) columns.push_back(other);
+    std::ranges::sort(columns);
+    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+  };
+  return build_pattern(corners.rows(), parallel_block, threads, [&] { return list; });
+}
 
 /// The free nodes (rows) in blocks that lie close together in the mesh, with the cells (triangles
 /// in the plane, tetrahedra in space) around each block. What is worked out for a cell of a block

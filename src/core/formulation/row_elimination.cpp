@@ -7,6 +7,21 @@
 
 namespace winslow {
 
+namespace {
+
+/// A matrix of D by D blocks like another, of zeros in that pattern.
+template <int D>
+void set_zero(const SparseMatrix& like, const std::shared_ptr<const SparsityPattern>& pattern,
+              SparseMatrix& out) {
+  out.pattern = pattern;
+  out.block = D;
+  out.symmetric = like.symmetric;
+  out.in_space = like.in_space;
+  out.values.assign(D * D * pattern->columns.size(), 0.0);
+}
+
+}  // namespace
+
 template <int D>
 FollowerRows<D>::FollowerRows(const NodeUnknowns& nodes, std::span<const Index> row_of_node,
                               std::shared_ptr<const SparsityPattern> full)
@@ -72,13 +87,6 @@ typename FollowerRows<D>::Parts FollowerRows<D>::parts_of(std::span<const Lever>
 }
 
 template <int D>
-Index FollowerRows<D>::entry(Index row, Index column) const {
-  const auto first = pattern_->columns.begin() + pattern_->offsets[at(row)];
-  const auto last = pattern_->columns.begin() + pattern_->offsets[at(row) + 1];
-  return static_cast<Index>(std::lower_bound(first, last, column) - pattern_->columns.begin());
-}
-
-template <int D>
 void FollowerRows<D>::reduce(std::span<const Lever> levers, std::span<const double> full,
                              std::span<double> out) const {
   std::copy_n(full.begin(), out.size(), out.begin());
@@ -96,14 +104,10 @@ void FollowerRows<D>::reduce(std::span<const Lever> levers, std::span<const doub
 template <int D>
 void FollowerRows<D>::reduce(std::span<const Lever> levers, std::span<const double> residual,
                              bool convex, const SparseMatrix& full, SparseMatrix& out) const {
-  out.pattern = pattern_;
-  out.block = D;
-  out.symmetric = full.symmetric;
-  out.in_space = full.in_space;
   constexpr std::size_t size = std::size_t{D} * D;  // of a block
-  out.values.assign(size * pattern_->columns.size(), 0.0);
+  set_zero<D>(full, pattern_, out);
   const auto to = [&](Index row, Index column) {
-    return Eigen::Map<Block>(&out.values[at(entry(row, column)) * size]);
+    return Eigen::Map<Block>(&out.values[at(pattern_->find(row, column)) * size]);
   };
   for (std::size_t i = 0; i < own_ + ends_.size(); ++i) {
     const Parts left = parts_of(levers, i);
@@ -157,15 +161,11 @@ PeriodicRows<D>::PeriodicRows(const NodeUnknowns& nodes,
     for (auto e = at(full_->offsets[i]); e < at(full_->offsets[i + 1]); ++e)
       columns[at(row_[i])].push_back(row_[at(full_->columns[e])]);
   auto reduced = pattern_of(std::move(columns));
-  for (std::size_t i = 0; i < all; ++i) {
-    const auto first = reduced->columns.begin() + reduced->offsets[at(row_[i])];
-    const auto last = reduced->columns.begin() + reduced->offsets[at(row_[i]) + 1];
+  for (std::size_t i = 0; i < all; ++i)
     for (auto e = at(full_->offsets[i]); e < at(full_->offsets[i + 1]); ++e) {
-      const auto place = std::lower_bound(first, last, row_[at(full_->columns[e])]);
-      entry_.push_back(static_cast<Index>(place - reduced->columns.begin()));
+      entry_.push_back(reduced->find(row_[i], row_[at(full_->columns[e])]));
       row_of_entry_.push_back(static_cast<Index>(i));
     }
-  }
   pattern_ = std::move(reduced);
 }
 
@@ -181,12 +181,8 @@ void PeriodicRows<D>::reduce(std::span<const double> full, std::span<double> out
 
 template <int D>
 void PeriodicRows<D>::reduce(const SparseMatrix& full, SparseMatrix& out) const {
-  out.pattern = pattern_;
-  out.block = D;
-  out.symmetric = full.symmetric;
-  out.in_space = full.in_space;
   constexpr std::size_t size = std::size_t{D} * D;  // of a block
-  out.values.assign(size * pattern_->columns.size(), 0.0);
+  set_zero<D>(full, pattern_, out);
   for (std::size_t e = 0; e < entry_.size(); ++e) {
     const Eigen::Map<const Block> from(&full.values[e * size]);
     Eigen::Map<Block> to(&out.values[at(entry_[e]) * size]);
@@ -219,12 +215,6 @@ Block<D> directions(const Foot& foot) {
 template <int D>
 Eigen::Map<Block<D>> block_of(SparseMatrix& matrix, Index entry) {
   return Eigen::Map<Block<D>>(&matrix.values[at(entry) * D * D]);
-}
-
-Index find_entry(const SparsityPattern& pattern, Index row, Index column) {
-  const auto first = pattern.columns.begin() + pattern.offsets[at(row)];
-  const auto last = pattern.columns.begin() + pattern.offsets[at(row) + 1];
-  return static_cast<Index>(std::lower_bound(first, last, column) - pattern.columns.begin());
 }
 
 }  // namespace
@@ -288,7 +278,7 @@ void SlidingRows<D>::restrict(std::span<const Foot> feet, std::span<const double
     for (Index e = pattern.offsets[at(row)]; e < pattern.offsets[at(row) + 1]; ++e) {
       auto left = block_of<D>(matrix, e);
       left = (q.transpose() * left).eval();
-      auto right = block_of<D>(matrix, find_entry(pattern, pattern.columns[at(e)], row));
+      auto right = block_of<D>(matrix, pattern.find(pattern.columns[at(e)], row));
       right = (right * q).eval();
     }
     auto diagonal = block_of<D>(matrix, pattern.diagonal[at(row)]);

@@ -70,7 +70,6 @@ class FollowerRows {
     int count = 0;
   };
   Parts parts_of(std::span<const Lever> levers, std::size_t full_row) const;
-  Index entry(Index row, Index column) const;
 
   std::size_t own_ = 0;                     // rows that do not follow
   std::vector<std::array<Index, 2>> ends_;  // of each follower, rows

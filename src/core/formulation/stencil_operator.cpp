@@ -1,6 +1,7 @@
 #include "core/formulation/stencil_operator.h"
 
 #include "core/error.h"
+#include "core/linear/pattern_builder.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
@@ -110,36 +111,25 @@ auto StencilOperator<3>::slopes(const Matrix& g, const Fluxes& flux, const Vec3&
 }
 
 NodePattern::NodePattern(const Topology& topology, std::span<const Index> nodes)
-    : row_of_node(static_cast<std::size_t>(topology.node_count()), -1),
+    : row_of_node(at(topology.node_count()), -1),
       entry_of_neighbour(topology.neighbour_rows().values.size(), -1) {
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    row_of_node[static_cast<std::size_t>(nodes[i])] = static_cast<Index>(i);
-  }
-  auto built = std::make_shared<SparsityPattern>();
-  std::vector<Index> row;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto neighbours = topology.neighbours(nodes[i]);
-    row.assign(1, static_cast<Index>(i));
-    for (const Index k : neighbours) {
-      const Index r = row_of_node[static_cast<std::size_t>(k)];
-      if (r >= 0) row.push_back(r);
-    }
-    std::sort(row.begin(), row.end());
-    const auto entry_of = [&](Index r) {
-      return built->offsets.back() +
-             static_cast<Index>(std::lower_bound(row.begin(), row.end(), r) - row.begin());
+  for (std::size_t i = 0; i < nodes.size(); ++i) row_of_node[at(nodes[i])] = static_cast<Index>(i);
+  const auto rows = static_cast<Index>(nodes.size());
+  pattern = build_pattern(rows, std::max<Index>(rows, 1), 1, [&] {
+    return [&](Index row, std::vector<Index>& columns) {
+      columns.push_back(row);
+      for (const Index node : topology.neighbours(nodes[at(row)]))
+        if (const Index other = row_of_node[at(node)]; other >= 0) columns.push_back(other);
     };
-    built->diagonal.push_back(entry_of(static_cast<Index>(i)));
-    const auto first = static_cast<std::size_t>(
-        topology.neighbour_rows().offsets[static_cast<std::size_t>(nodes[i])]);
-    for (std::size_t k = 0; k < neighbours.size(); ++k) {
-      const Index r = row_of_node[static_cast<std::size_t>(neighbours[k])];
-      if (r >= 0) entry_of_neighbour[first + k] = entry_of(r);
-    }
-    built->columns.insert(built->columns.end(), row.begin(), row.end());
-    built->offsets.push_back(static_cast<Index>(built->columns.size()));
+  });
+  for (Index row = 0; row < rows; ++row) {
+    const Index node = nodes[at(row)];
+    const auto neighbours = topology.neighbours(node);
+    const auto first = at(topology.neighbour_rows().offsets[at(node)]);
+    for (std::size_t k = 0; k < neighbours.size(); ++k)
+      if (const Index other = row_of_node[at(neighbours[k])]; other >= 0)
+        entry_of_neighbour[first + k] = pattern->find(row, other);
   }
-  pattern = std::move(built);
 }
 
 }  // namespace winslow

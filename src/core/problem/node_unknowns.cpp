@@ -131,7 +131,7 @@ void NodeUnknowns::place_others(Coordinates& x) const {
 double NodeUnknowns::advance(std::span<const double> direction, double step, Coordinates& x) const {
   constexpr Index block = 512;  // the way back to a curved surface takes a search
   const auto count = static_cast<Index>(nodes().size());
-  std::vector<double> largest2(at((count + block - 1) / block), 0.0);
+  std::vector<double> largest2(block_count(count, block), 0.0);
   in_dimension(x, [&]<int D>(const Points<D>&) {
     const auto move_nodes = [&](Index begin, Index end) {
       double& largest = largest2[at(begin / block)];
