@@ -1,7 +1,6 @@
 #include "core/drag/drag_session.h"
 
 #include <condition_variable>
-#include <thread>
 
 #include "core/drag/drag_predictor.h"
 #include "core/error.h"

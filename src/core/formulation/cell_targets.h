@@ -1,9 +1,6 @@
 #pragma once
 
-#include <array>
-#include <optional>
 #include <type_traits>
-#include <vector>
 
 #include "core/formulation/stretch_field.h"
 #include "core/index.h"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/formulation/cell_targets.h"
-#include "core/formulation/target_metric.h"
 #include "core/formulation/simplex_kernel.h"
+#include "core/formulation/target_metric.h"
 #include "core/formulation/variational_form.h"
 
 /// Distortion of one triangle against one target, and the projection of its Hessian. Values,
@@ -16,8 +16,7 @@ struct Corner2 {
   Corner2(const double* a, const double* b, const double* c)
       : ux(b[0] - a[0]), uy(b[1] - a[1]), vx(c[0] - a[0]), vy(c[1] - a[1]), d(ux * vy - uy * vx) {}
 
-  explicit Corner2(const std::array<Vec2, 3>& p)
-      : Corner2(p[0].data(), p[1].data(), p[2].data()) {}
+  explicit Corner2(const std::array<Vec2, 3>& p) : Corner2(p[0].data(), p[1].data(), p[2].data()) {}
 
   double distortion(const ShapeTerm& c) const {
     const double wx = vx - ux, wy = vy - uy;

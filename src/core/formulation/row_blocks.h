@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <span>
 #include <tuple>
 
 #include "core/formulation/cell_targets.h"

@@ -3,8 +3,8 @@
 #include "core/index.h"
 
 /// What the innermost loops of the variational form read and write, over the triangles of a plane
-/// mesh (D = 2) and the tetrahedra of a volume mesh (D = 3). Every version of a loop rounds alike: the
-/// result is the same bit for bit.
+/// mesh (D = 2) and the tetrahedra of a volume mesh (D = 3). Every version of a loop rounds alike:
+/// the result is the same bit for bit.
 namespace winslow::distortion {
 
 /// psi(f) = linear f + scale f^exponent; integer: the exponent minus 2 if that is a small natural

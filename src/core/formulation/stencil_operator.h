@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "core/linear/sparse_system.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"

@@ -123,19 +123,16 @@ std::vector<Vec3> SurfaceWinslow::normals(const Coordinates& x) const {
 
 FlatCells SurfaceWinslow::lay_flat(const Coordinates& x,
                                    const Regularisation* regularisation) const {
-  return regularisation
-             ? FlatCells::against(*structure_, x, regularisation->normals, threads())
-             : FlatCells::in_own_planes(*structure_, x, normals(x), threads());
+  return regularisation ? FlatCells::against(*structure_, x, regularisation->normals, threads())
+                        : FlatCells::in_own_planes(*structure_, x, normals(x), threads());
 }
 
-double SurfaceWinslow::energy_of(const Coordinates& x,
-                                 const Regularisation* regularisation) const {
+double SurfaceWinslow::energy_of(const Coordinates& x, const Regularisation* regularisation) const {
   const FlatCells cells = lay_flat(x, regularisation);
   return sum_energy(data(cells, regularisation));
 }
 
-std::vector<double> SurfaceWinslow::determinants(const Coordinates& x,
-                                                 Regularisation* held) const {
+std::vector<double> SurfaceWinslow::determinants(const Coordinates& x, Regularisation* held) const {
   if (held) held->normals = normals(x);
   const FlatCells cells = lay_flat(x, held);
   std::vector<double> list;
@@ -254,7 +251,7 @@ void SurfaceWinslow::sum_cells(const FlatCells& cells, const Regularisation* reg
   parallel_for(threads(), n, [&](Index begin, Index end) {
     energies[at(begin / parallel_block)] =
         kernel().sum(of_cells, structure_->numbers.data() + begin, end - begin, 0,
-                    out.sums + Layout::sum * begin);
+                     out.sums + Layout::sum * begin);
     for (auto t = at(begin); t < at(end); ++t) {
       if (!out.bends) continue;
       const distortion::Corner2 corner = corner_of(cells, t);

@@ -81,10 +81,10 @@ SimplexWinslow<D>::Pattern::Pattern(std::shared_ptr<const NodeClasses> classes,
 template <int D>
 SimplexWinslow<D>::SimplexWinslow(const Pattern& pattern, const Targets& shapes,
                                   const PenaltyOptions& penalty)
-    : TargetForm<D>(pattern.nodes,
-                    std::make_shared<const Targets>(
-                        reordered(shapes, pattern.structure->shape_order)),
-                    penalty),
+    : TargetForm<D>(
+          pattern.nodes,
+          std::make_shared<const Targets>(reordered(shapes, pattern.structure->shape_order)),
+          penalty),
       structure_(pattern.structure) {
   this->node_unknowns().require_held_boundary("the variational form");
 }
@@ -156,8 +156,7 @@ double SimplexWinslow<D>::sum_block(const SimplexData& data, bool is_projected, 
     energy += sum(data, part.data(), count, rows.first_new_cell(block), memory.sums.data());
     if constexpr (D == 2) {
       if (is_projected)
-        project(this->shapes(), data.x, PenaltyFunction(this->penalty()), part,
-                memory.sums.data());
+        project(this->shapes(), data.x, PenaltyFunction(this->penalty()), part, memory.sums.data());
     }
     kernel.scatter(memory.sums.data(), places.data() + first, count, memory.rows.data(),
                    with_matrix ? memory.matrix.data() : nullptr);
@@ -168,8 +167,8 @@ double SimplexWinslow<D>::sum_block(const SimplexData& data, bool is_projected, 
 template <int D>
 std::shared_ptr<const VariationalForm> SimplexWinslow<D>::with_corner_lengths(
     const Coordinates& x) const {
-  return this->with_shapes(std::make_shared<const Targets>(
-      winslow::with_corner_lengths(this->shapes(), Points<D>(x))));
+  return this->with_shapes(
+      std::make_shared<const Targets>(winslow::with_corner_lengths(this->shapes(), Points<D>(x))));
 }
 
 template <int D>
@@ -217,8 +216,7 @@ ResidualNorms SimplexWinslow<D>::residual(const Coordinates& x, std::span<double
 template <int D>
 Linearisation SimplexWinslow<D>::assemble(const Coordinates& x,
                                           const Regularisation* regularisation, bool projected,
-                                          SparseMatrix& hessian,
-                                          std::span<double> residual) const {
+                                          SparseMatrix& hessian, std::span<double> residual) const {
   const SimplexData cells = data(x, regularisation);
   const RowBlocks<D>& rows = structure_->rows;
   const SparsityPattern& pattern = *rows.pattern();
@@ -235,8 +233,8 @@ Linearisation SimplexWinslow<D>::assemble(const Coordinates& x,
   std::vector<double> energies(norms.size(), 0.0);
   for_each_block([&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
     energies[part] += sum_block(cells, projected, true, block, memory);
-    this->kernel().write_rows(memory.matrix.data() + D * D, rows.order(first), pattern.offsets.data(),
-                       last - first, out.values.data());
+    this->kernel().write_rows(memory.matrix.data() + D * D, rows.order(first),
+                              pattern.offsets.data(), last - first, out.values.data());
     for (Index p = first; p < last; ++p) {
       const std::size_t row = at(rows.row(p));
       const RowSum<D> sum = memory.row(p - first);

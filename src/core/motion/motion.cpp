@@ -89,57 +89,37 @@ std::string marker_at(const Topology& topology, const std::vector<std::string>& 
 }
 
 /// A node of two bodies stays one node: both have to take it along the same arc.
-class SharedNodes {
- public:
-  SharedNodes(const Topology& topology, const Coordinates& rest, std::span<const MovingBody> bodies,
-              std::span<const std::unique_ptr<Motion>> motions)
-      : topology_(topology), rest_(rest), bodies_(bodies), motions_(motions) {}
-
-  void require_together() const {
-    for (std::size_t b = 1; b < motions_.size(); ++b)
-      for (std::size_t a = 0; a < b; ++a) require_together(a, b);
+void require_together(const Topology& topology, const Coordinates& rest,
+                      std::array<const MovingBody*, 2> bodies,
+                      std::array<const Motion*, 2> motions) {
+  std::vector<Index> shared;
+  std::ranges::set_intersection(motions[0]->nodes(), motions[1]->nodes(),
+                                std::back_inserter(shared));
+  if (shared.empty()) return;
+  constexpr double relative = 1e-9;  // of rounding errors
+  const double least = relative * body_box(rest, motions[1]->nodes()).size().norm();
+  // Arcs that meet at four fractions are the same.
+  for (const double fraction : {0.25, 0.5, 0.75, 1.0}) {
+    Coordinates by_one = rest, by_other = rest;
+    motions[0]->apply(rest, fraction, by_one);
+    motions[1]->apply(rest, fraction, by_other);
+    for (const Index node : shared)
+      if ((place_of(by_one, node) - place_of(by_other, node)).norm() > least)
+        throw UsageError("the markers " + marker_at(topology, bodies[0]->markers, node) + " and " +
+                         marker_at(topology, bodies[1]->markers, node) + " share node " +
+                         std::to_string(node) + ", which their motions take to different places");
   }
-
- private:
-  void require_together(std::size_t a, std::size_t b) const {
-    std::vector<Index> shared;
-    std::ranges::set_intersection(motions_[a]->nodes(), motions_[b]->nodes(),
-                                  std::back_inserter(shared));
-    if (shared.empty()) return;
-    constexpr double relative = 1e-9;  // of rounding errors
-    const double least = relative * body_box(rest_, motions_[b]->nodes()).size().norm();
-    // Arcs that meet at four fractions are the same.
-    for (const double fraction : {0.25, 0.5, 0.75, 1.0}) {
-      Coordinates by_a = rest_, by_b = rest_;
-      motions_[a]->apply(rest_, fraction, by_a);
-      motions_[b]->apply(rest_, fraction, by_b);
-      for (const Index node : shared)
-        if ((place_of(by_a, node) - place_of(by_b, node)).norm() > least) refuse(a, b, node);
-    }
-  }
-
-  [[noreturn]] void refuse(std::size_t a, std::size_t b, Index node) const {
-    throw UsageError("the markers " + marker_at(topology_, bodies_[a].markers, node) + " and " +
-                     marker_at(topology_, bodies_[b].markers, node) + " share node " +
-                     std::to_string(node) + ", which their motions take to different places");
-  }
-
-  const Topology& topology_;
-  const Coordinates& rest_;
-  std::span<const MovingBody> bodies_;
-  std::span<const std::unique_ptr<Motion>> motions_;
-};
+}
 
 }  // namespace
 
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const RigidMotion& options) {
-  return in_dimension(topology, "rigid motions", [&](auto dimension) -> std::unique_ptr<Motion> {
+  return in_dimension(topology, "rigid motions", [&](auto dim) -> std::unique_ptr<Motion> {
     std::vector<Index> nodes = moving_nodes(topology, markers);
-    const RigidMotion motion =
-        resolve_motion(options, dimension, body_centre(body_box(rest, nodes)));
-    return std::make_unique<Rigid<dimension()>>(std::move(nodes), motion);
+    const RigidMotion motion = resolve_motion(options, dim, body_centre(body_box(rest, nodes)));
+    return std::make_unique<Rigid<dim()>>(std::move(nodes), motion);
   });
 }
 
@@ -151,7 +131,10 @@ std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates&
   for (const MovingBody& body : bodies)
     motions.push_back(make_motion(topology, rest, body.markers, body.motion));
   if (motions.size() == 1) return std::move(motions.front());
-  SharedNodes(topology, rest, bodies, motions).require_together();
+  for (std::size_t b = 1; b < motions.size(); ++b)
+    for (std::size_t a = 0; a < b; ++a)
+      require_together(topology, rest, {&bodies[a], &bodies[b]},
+                       {motions[a].get(), motions[b].get()});
   return std::make_unique<Bodies>(std::move(motions));
 }
 
@@ -414,24 +397,24 @@ std::unique_ptr<Motion> table_motion(std::vector<Index> nodes, const Coordinates
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const SineDeformation& options) {
-  return in_dimension(topology, "sine deformations", [&](auto dimension) {
+  return in_dimension(topology, "sine deformations", [&](auto dim) {
     require_finite(options.amplitude, "the amplitude");
     require_finite(options.waves, "the number of waves");
     require_finite(options.direction.sum(), "the direction");
     if (options.direction.norm() == 0) throw UsageError("the direction of the sine is zero");
     if (!(options.fade_length > 0 && options.fade_length <= 0.5))
       throw UsageError("the fade length is not in (0, 0.5]");
-    return sine_motion<dimension()>(moving_nodes(topology, markers), rest, options);
+    return sine_motion<dim()>(moving_nodes(topology, markers), rest, options);
   });
 }
 
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const DisplacementTable& table) {
-  return in_dimension(topology, "displacements", [&](auto dimension) {
+  return in_dimension(topology, "displacements", [&](auto dim) {
     std::vector<Index> nodes = moving_nodes(topology, markers);
     if (table.entries.empty()) throw UsageError("the displacement table is empty");
-    return table_motion<dimension()>(std::move(nodes), rest, table);
+    return table_motion<dim()>(std::move(nodes), rest, table);
   });
 }
 

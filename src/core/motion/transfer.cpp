@@ -1,7 +1,5 @@
 #include "core/motion/transfer.h"
 
-#include <Eigen/Geometry>
-
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 

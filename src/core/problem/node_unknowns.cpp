@@ -1,6 +1,5 @@
 #include "core/problem/node_unknowns.h"
 
-#include <Eigen/Geometry>
 #include <type_traits>
 
 #include "core/error.h"
@@ -28,8 +27,8 @@ double mean_edge_at(const Topology& topology, const Points<D>& x, Index node) {
   return sum / static_cast<double>(neighbours.size());
 }
 
-Vec3 point_in_space(const Vec2& p) { return {p.x(), p.y(), 0}; }
-Vec3 point_in_space(const Vec3& p) { return p; }
+Vec3 lifted(const Vec2& p) { return {p.x(), p.y(), 0}; }
+Vec3 lifted(const Vec3& p) { return p; }
 
 }  // namespace
 
@@ -83,7 +82,7 @@ Vec<D> NodeUnknowns::move_of(std::size_t i, const Vec<D>& from,
   const double* own = rates.data() + first(i);
   if (!classes_->slides(nodes()[i])) return Vec<D>(own);
   Vec<D> move = Vec<D>::Zero();
-  for (const Vec3& direction : classes_->foot(nodes()[i], point_in_space(from)).frame)
+  for (const Vec3& direction : classes_->foot(nodes()[i], lifted(from)).frame)
     move += *own++ * direction.head<D>();
   return move;
 }
@@ -140,8 +139,7 @@ double NodeUnknowns::advance(std::span<const double> direction, double step, Coo
         const Vec<D> from = x.template get<D>(node);
         Vec<D> to = from + step * move_of<D>(at(i), from, direction);
         // A move along the tangent leaves a curved boundary: back to it.
-        if (classes_->slides(node))
-          to = classes_->foot(node, point_in_space(to)).point.template head<D>();
+        if (classes_->slides(node)) to = classes_->foot(node, lifted(to)).point.template head<D>();
         x.template set<D>(node, to);
         largest = std::max(largest, (to - from).squaredNorm());
       }

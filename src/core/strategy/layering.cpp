@@ -1,7 +1,6 @@
 #include "core/strategy/layering.h"
 
 #include <cstdio>
-#include <utility>
 
 #include "core/error.h"
 #include "core/layers/layer_control.h"
@@ -366,10 +365,10 @@ std::string marker_at(const Topology& topology, Index node, std::span<const std:
 }
 
 [[noreturn]] void refuse(const std::string& wall, const std::string& what, Index node,
-                         const Vec2& at) {
+                         const Vec2& where) {
   char place[96];
   std::snprintf(place, sizeof place, "node %lld at (%.6g, %.6g)", static_cast<long long>(node),
-                at.x(), at.y());
+                where.x(), where.y());
   throw UsageError("keep-outside: " + what + " '" + wall + "' (" + place +
                    ") outside the region in which nodes may move; expected walls with all of their "
                    "layers inside");

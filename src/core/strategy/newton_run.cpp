@@ -50,8 +50,8 @@ void NewtonRun::begin_with_own_shapes(const Coordinates& start, Coordinates& x) 
 void NewtonRun::relax_along_targets(Coordinates& x, double fraction) {
   Path path([](double, Coordinates&) {});
   path.change_problem = [this](double share) { set_target_share(share); };
-  const auto accept = [&](const IterationRecord& record, const Coordinates& at) {
-    recorder_.report(record, at, Stage::relax, fraction, true);
+  const auto accept = [&](const IterationRecord& record, const Coordinates& mesh) {
+    recorder_.report(record, mesh, Stage::relax, fraction, true);
     return recorder_.remaining() > 0;
   };
   const int before = newton().linear_solves();
@@ -73,7 +73,7 @@ bool NewtonRun::converge(Coordinates& x, double fraction, bool at_any_pace) {
   if (creeping) return false;
   while (recorder_.result().converged && sharpen(x)) {
     const Coordinates solution = x;
-    const SmoothResult outcome = recorder_.result();
+    const RunOutcome outcome = recorder_.result();
     recorder_.iterate(newton(), x, Stage::newton, fraction);
     if (recorder_.result().converged) continue;
     x = solution;
@@ -152,7 +152,7 @@ void NewtonRun::move_along_path(const Motion& motion, const Coordinates& rest, C
   constexpr double worth_keeping = 0.1;
   const double given = smallest_sine(state_.mesh.coordinates);
   const double least_sine = worth_keeping * (given > 0 ? given : smallest_sine(x));
-  Path path([&](double fraction, Coordinates& at) { motion.apply(rest, fraction, at); });
+  Path path([&](double fraction, Coordinates& mesh) { motion.apply(rest, fraction, mesh); });
   const Coordinates start = x;
   if (!approach(x, 0)) {
     begin_with_own_shapes(start, x);
@@ -170,17 +170,17 @@ void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x)
   SteadySolver& solver = newton();
   PathMesh good{0, x};  // the last one without slivers
   double min_sine = 1;
-  const auto accept = [&](const IterationRecord& record, const Coordinates& at) {
-    recorder_.report(record, at, Stage::path, record.fraction, true);
+  const auto accept = [&](const IterationRecord& record, const Coordinates& mesh) {
+    recorder_.report(record, mesh, Stage::path, record.fraction, true);
     min_sine = record.min_sine;
-    if (min_sine >= least_sine) good = {record.fraction, at};
-    return recorder_.remaining() > 0 && !strained(at);
+    if (min_sine >= least_sine) good = {record.fraction, mesh};
+    return recorder_.remaining() > 0 && !strained(mesh);
   };
   std::string& limit = recorder_.result().limited_by;  // between the last mesh and the next
   bool ended = false;                                  // before a mesh beyond some limit
-  const auto within_limits = [&](const Coordinates& at) {
-    limit = fault(at);
-    ended = !limit.empty() || (blocked_by_contact() && smallest_sine(at) < least_sine);
+  const auto within_limits = [&](const Coordinates& mesh) {
+    limit = fault(mesh);
+    ended = !limit.empty() || (blocked_by_contact() && smallest_sine(mesh) < least_sine);
     return !ended;
   };
   // Where the path is lost, the way back to it is Newton's method with the boundary held; then it
@@ -351,7 +351,7 @@ class FixedPointMotion {
   void move_automatically(Coordinates& x) {
     if (move_in_steps(1, true, x)) return;
     const Coordinates direct_x = x;
-    const SmoothResult direct = recorder_.result();
+    const RunOutcome direct = recorder_.result();
     constexpr std::array<int, 2> attempts{8, 32};
     for (const int increments : attempts) {
       x = rest_;
@@ -399,7 +399,7 @@ void PointwiseRun::attempt(const Way& by_newton, const Way& by_fixed_point, Coor
       workspace().options().outer == OuterMethod::newton || recorder().remaining() <= 0) {
     return;
   }
-  const SmoothResult newtons = result;
+  const RunOutcome newtons = result;
   Coordinates newtons_x = std::move(x);
   x = start;
   recorder().lift_budget();

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "core/mesh/topology.h"
 #include "core/motion/contact.h"
 #include "core/outer/outer_solver.h"
@@ -99,11 +97,9 @@ struct RunOptions {
   const std::vector<Index>* kept = nullptr;
 };
 
-/// What a smoothing run came to.
-struct SmoothResult {
+/// How a smoothing run ended.
+struct RunOutcome {
   bool converged = false;
-  int outer_iterations = 0;
-  int linear_solves = 0;
   double residual = 0;
   bool out_of_iterations = false;  ///< ended by the limit of outer iterations
   double fraction_reached = 1;     ///< share of the boundary motion in the result
@@ -112,15 +108,21 @@ struct SmoothResult {
   /// What blocks a motion along a path, seen before it was begun; of the motion from RunOptions'
   /// start where there is one.
   std::optional<Contact> contact;
-  std::optional<Gap> gap;  ///< where a motion is blocked without contact
-  int increments = 1;      ///< steps in which the boundary was moved
-  /// Part of the elements (0 to 1) that `auto` targets keep stretched; none for other targets.
-  std::optional<double> stretched;
-  MovingBoundary boundary;    ///< what nodes of the boundary slid on, or were paired by
-  Index kept_outside = 0;     ///< interior nodes that SmoothOptions::keep_outside fixed
+  std::optional<Gap> gap;     ///< where a motion is blocked without contact
+  int increments = 1;         ///< steps in which the boundary was moved
   Index stuck_nodes = 0;      ///< OuterSolver::stuck_nodes()
   std::string linear_solver;  ///< what solved the linear systems, e.g. "CHOLMOD ..."
   Index inverted = 0;
+};
+
+/// What a smoothing run came to.
+struct SmoothResult : RunOutcome {
+  int outer_iterations = 0;
+  int linear_solves = 0;
+  /// Part of the elements (0 to 1) that `auto` targets keep stretched; none for other targets.
+  std::optional<double> stretched;
+  MovingBoundary boundary;  ///< what nodes of the boundary slid on, or were paired by
+  Index kept_outside = 0;   ///< interior nodes that SmoothOptions::keep_outside fixed
   std::vector<IterationRecord> history;
 };
 
@@ -175,7 +177,7 @@ class RunRecorder {
 
   SmoothResult& result() { return result_; }
   /// Puts back how an earlier attempt ended; counts and history stay those of all attempts.
-  void restore_outcome(const SmoothResult& earlier);
+  void restore_outcome(const RunOutcome& earlier) { static_cast<RunOutcome&>(result_) = earlier; }
 
  private:
   SolverMonitor* monitor_;

@@ -47,7 +47,7 @@ void update_vcvs(const Coordinates& given, SmoothingWorkspace& workspace, RunRec
   for (int update = 0; update < most && recorder.remaining() > 0; ++update) {
     if (workspace.adjust_vcvs(x) == 0) return;
     Coordinates solution = x;
-    const SmoothResult outcome = result;
+    const RunOutcome outcome = result;
     solve(x);
     // The operator's own solution may be tangled: from there the next angles are to lead out of it.
     if (result.converged && result.inverted <= outcome.inverted) continue;

@@ -148,7 +148,7 @@ void raise_worst_element(SmoothingWorkspace& workspace, RunRecorder& recorder, d
   constexpr double closer = 0.5, away = 3;  // what the bound's distance becomes, round by round
   constexpr double farthest = 2;            // bound, in largest distortions
   constexpr double short_step = 0.2, settled = 1e-3;
-  const SmoothResult outcome = recorder.result();
+  const RunOutcome outcome = recorder.result();
   EnergyNewton& newton = workspace.newton();
   auto energy = workspace.energy()->with_corner_lengths(x);
   double worst = energy->worst_distortion(x);

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <utility>
-
 #include "core/formulation/pointwise_winslow.h"
 #include "core/formulation/surface_winslow.h"
 #include "core/formulation/variational_winslow.h"

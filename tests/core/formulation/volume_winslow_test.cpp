@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/formulation/distortion.h"
+#include "core/formulation/simplex_kernel.h"
 #include "core/formulation/target_path.h"
 #include "core/formulation/target_shapes.h"
-#include "core/formulation/simplex_kernel.h"
 #include "core/formulation/variational_form.h"
 #include "core/formulation/variational_winslow.h"
 #include "core/quality/quality.h"
