@@ -26,8 +26,8 @@ RigidMotion next_part(const RigidMotion& pose, const RigidMotion& target) {
   return compose(pose, way);
 }
 
-/// A fitted motion with the full turns of a drag from one pose to another, of which about that much
-/// is done: they do not show in the mesh.
+/// Adds full turns, which a mesh does not show, to the motion that was fitted to it: as many as a
+/// drag from one pose to another has made when about that fraction of it is done.
 RigidMotion with_turns_of(const RigidMotion& from, const RigidMotion& to, double fraction,
                           const RigidMotion& fitted) {
   const RigidMotion& turning = to.rotate != 0 ? to : from;

@@ -109,12 +109,12 @@ class Way {
     part_.pivot = centre_;
     part_.translate = Vec<D>(share * way_);
   }
-  /// Whether, from 0 to 1, what goes from a to b goes with the body.
-  double follows(const Vec<D>& a, const Vec<D>& b) const {
+  /// How much of the body's motion a node that goes from a to b makes: 0 (none) to 1 (all of it).
+  double share_of(const Vec<D>& a, const Vec<D>& b) const {
     const double stays = (b - a).norm(), goes = (b - transform(whole_, a)).norm();
     return stays + goes > 0 ? stays / (stays + goes) : 0;
   }
-  /// Where the body has that which goes from a to b.
+  /// Where the body carries a node that goes from a to b, after a share of the motion.
   Vec<D> carried(const Vec<D>& a, const Vec<D>& b, double share) const {
     const Vec<D> back = transform_back(whole_, b);
     return transform(part_, Vec<D>(a + share * (back - a)));
@@ -144,12 +144,12 @@ std::vector<Coordinates> between(const Topology& topology,
     for (Index i = 0; i < x.size(); ++i) {
       const Vec<D> a = from.get<D>(i), b = to.get<D>(i);
       const auto leader =
-          std::ranges::max_element(ways, {}, [&](const Way<D>& way) { return way.follows(a, b); });
+          std::ranges::max_element(ways, {}, [&](const Way<D>& way) { return way.share_of(a, b); });
       // Straight for what stays, with the body for what goes along: thin layers at a body that
       // turns would be crushed by straight lines.
       const Vec<D> straight = a + t * (b - a);
       const Vec<D> carried = leader->carried(a, b, t);
-      x.set<D>(i, straight + leader->follows(a, b) * (carried - straight));
+      x.set<D>(i, straight + leader->share_of(a, b) * (carried - straight));
     }
     if (check_validity(topology, x).inverted == 0) meshes.push_back(std::move(x));
   }

@@ -183,9 +183,9 @@ void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x)
     ended = !limit.empty() || (blocked_by_contact() && smallest_sine(mesh) < least_sine);
     return !ended;
   };
-  // Where the path is lost, the way back to it is Newton's method with the boundary held; then it
-  // goes on from there. Only where that gains nothing, twice, is the motion blocked. Pressed
-  // against a wall it could go on for ever, in steps that are worth less and less.
+  // Where the path is lost, Newton's method with the boundary held leads back to it, and the path
+  // goes on from there. The motion counts as blocked if that gains nothing twice in a row. Pressed
+  // against a wall a mesh gains less and less each time, so more is asked for there.
   const double pressed = 0.25 * least_sine;
   constexpr double worthwhile = 1e-5, worthwhile_pressed = 5e-3;
   PathOptions options;

@@ -97,8 +97,8 @@ std::vector<SlidingPart*> held_parts(const SlideOptions& slide, const Mesh& mesh
   return held;
 }
 
-/// A row of which a node is held otherwise stays, and so do its ends where they slide; so does such
-/// an end where a body moves the other.
+/// Fixes the ends of a row that slide, if the row cannot move because one of its nodes is held for
+/// another reason, or if a body moves the other end.
 void hold_ends(const CurveRow& row, NodeClasses& classes) {
   const bool whole = std::ranges::all_of(
       row.between(), [&](Index node) { return classes[node] == NodeClass::on_curve; });
@@ -109,7 +109,8 @@ void hold_ends(const CurveRow& row, NodeClasses& classes) {
   }
 }
 
-/// Ends that slide do so on the curve of the row: a closed row, or one between periodic corners.
+/// What becomes of the nodes between the ends. Ends slide along the row itself only where it is
+/// closed or lies between periodic corners.
 Spacing spacing_of(const CurveRow& row, const NodeClasses& classes) {
   const bool moves = classes.moves(row.first()) || classes.moves(row.last());
   const bool taken =

@@ -250,8 +250,8 @@ class SmoothingWorkspace {
   const typename Form::Pattern& energy_pattern(const EnergyPatternKey& key,
                                                const typename Form::Targets& targets);
 
-  // What prepare() was told. If the first and the last of these are equal to what the run before
-  // had, they are the same objects.
+  // What prepare() was told. unknowns_ and given_ stay the objects of the run before if they are
+  // equal to them: keys compare objects.
   Classes unknowns_;  // whose nodes move as those of classes_ do
   Classes classes_;
   SmoothOptions options_;
