@@ -74,11 +74,11 @@ std::string out_of(const Range& range, double found) {
          (expected.empty() ? "a finite number" : expected);
 }
 
-// What is wrong with the value of each kind; empty: nothing.
-std::string wrong_with(const Range& range, double number) { return out_of(range, number); }
-std::string wrong_with(const Range& range, const std::optional<double>& number) {
-  return number ? out_of(range, *number) : "";
+std::string out_of(const Range& range, const std::optional<double>& found) {
+  return found ? out_of(range, *found) : "";
 }
+
+// What is wrong with the value of each kind; empty: nothing.
 std::string wrong_with(const Vec3& vector) {
   for (const double component : vector)
     if (std::string fault = out_of({}, component); !fault.empty()) return fault;
@@ -94,7 +94,7 @@ std::string wrong_with(const Kind& option) requires requires {
 }
 {
   if constexpr (requires { option.range; })
-    return wrong_with(option.range, *option.value);
+    return out_of(option.range, *option.value);
   else if constexpr (requires { wrong_with(*option.value); })
     return wrong_with(*option.value);
   else
