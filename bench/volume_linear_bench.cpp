@@ -20,8 +20,8 @@
 
 #include "core/command/command.h"
 #include "core/error.h"
+#include "core/formulation/target_shapes.h"
 #include "core/formulation/variational_winslow.h"
-#include "core/formulation/volume_targets.h"
 #include "core/linear/linear_solver.h"
 #include "elasticity/linear_elasticity.h"
 #include "io/format/mesh_file.h"

@@ -20,7 +20,7 @@
 #include "core/problem/smoothing_problem.h"
 #include "core/quality/metric.h"
 #include "core/quality/quality.h"
-#include "core/strategy/solver_cache.h"
+#include "core/strategy/run.h"
 #include "core/version.h"
 
 #if __has_include("io/format/mesh_file.h")

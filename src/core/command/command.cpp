@@ -3,13 +3,11 @@
 #include <cstdio>
 #include <random>
 
-#include "core/command/local_run.h"
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
-#include "core/strategy/reference_start.h"
+#include "core/strategy/sliding.h"
 #include "core/strategy/smooth_run.h"
-#include "core/strategy/surface_first.h"
 #include "core/strategy/surface_shape.h"
 #include "core/vcv/sphere/node_vcv.h"
 
@@ -17,16 +15,10 @@ namespace winslow {
 
 namespace {
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
 // Rounded to what one reads, so that names stay short: the command itself has all digits.
 std::string angle(double degrees) {
   const double rounded = std::round(100 * degrees) / 100;
-  return number(rounded != 0 ? rounded : degrees);
+  return number_text(rounded != 0 ? rounded : degrees);
 }
 
 std::string length(double value) {
@@ -82,7 +74,7 @@ std::string describe_one(const MoveCommand& command) {
 std::string describe_one(const DeformCommand& command) {
   if (const auto* sine = std::get_if<SineDeformation>(&command.shape)) {
     return "Deform " + list(command.markers) + ": sine, amplitude " + length(sine->amplitude) +
-           ", " + number(sine->waves) + " waves";
+           ", " + number_text(sine->waves) + " waves";
   }
   const auto& table = std::get<DisplacementTable>(command.shape);
   return "Displace " + std::to_string(table.entries.size()) + " nodes of " + list(command.markers);
@@ -116,21 +108,13 @@ CommandResult finish(const MeshState& state, Coordinates x, SmoothResult smooth)
   return result;
 }
 
-bool is_volume(const MeshState& state) { return state.mesh.topology->cell_dimension() == 3; }
-
 /// What surface meshes cannot do is refused by name.
-void require_surface_command(const Command& command, const SmoothOptions* smooth,
-                             const Topology& topology) {
+void require_surface_options(const SmoothOptions& smooth, const Topology& topology) {
   const auto refuse = [&](std::string_view what) { require_plane(topology, what); };
-  if (!std::holds_alternative<SmoothCommand>(command) &&
-      !std::holds_alternative<ScrambleCommand>(command) &&
-      !std::holds_alternative<EditVcvCommand>(command))
-    refuse(command_name(command));
-  if (smooth == nullptr) return;
-  if (smooth->formulation != Formulation::variational) refuse("the pointwise form");
-  if (smooth->outer == OuterMethod::picard) refuse("the fixed-point iteration");
-  if (smooth->untangle == Untangle::picard) refuse("untangling by the fixed-point iteration");
-  if (smooth->keep_outside.given()) refuse("keep-outside");
+  if (smooth.formulation != Formulation::variational) refuse("the pointwise form");
+  if (smooth.outer == OuterMethod::picard) refuse("the fixed-point iteration");
+  if (smooth.untangle == Untangle::picard) refuse("untangling by the fixed-point iteration");
+  if (smooth.keep_outside.given()) refuse("keep-outside");
 }
 
 /// A surface mesh whose nodes were put onto another surface than its own.
@@ -162,36 +146,27 @@ std::optional<ReferenceStart> on_reference(const Command& command, const MeshSta
   return placed;
 }
 
-/// The gate: what a command has too many or too few components of for its mesh. Entries of
-/// displacement tables are refused where they are matched to nodes, by their lines.
-void require_components(const Command& command, int dimension) {
-  const auto* move = std::get_if<MoveCommand>(&command);
-  if (move == nullptr) return;
-  for (const MovingBody& body : move->bodies)
-    static_cast<void>(resolve_motion(body.motion, dimension, Vec3(0, 0, 0)));
-}
-
-/// What volume meshes cannot do yet is refused by name.
+/// The gate: refuses, by name, commands and options that the kind of mesh does not take, and what
+/// has too many or too few components for it. Entries of displacement tables are refused where they
+/// are matched to nodes, by their lines.
 void require_dimension(const Command& command, const MeshState& state) {
+  const Topology& topology = *state.mesh.topology;
+  const int dimension = topology.cell_dimension();
+  const bool surface = is_surface(topology);
   const SmoothOptions* smooth = smooth_options(command);
-  if (is_surface(*state.mesh.topology)) {
-    require_surface_command(command, smooth, *state.mesh.topology);
-    if (smooth) validate_vcvs(*smooth, state.mesh.topology->cell_dimension());
-    return;
-  }
-  const bool serves_volumes = !std::holds_alternative<LayersCommand>(command);
-  if (!is_volume(state) || !serves_volumes)
-    require_plane(*state.mesh.topology, command_name(command));
   std::visit(
       [&](const auto& c) {
-        if constexpr (requires { c.how.floor; })
-          c.how.floor.require_dimension(state.mesh.topology->cell_dimension());
+        if (!(surface ? c.serves_surfaces : c.serves_volumes)) require_plane(topology, c.name);
+        if constexpr (requires { c.how.floor; }) c.how.floor.require_dimension(dimension);
+        if constexpr (requires { c.bodies; })
+          for (const MovingBody& body : c.bodies)
+            static_cast<void>(resolve_motion(body.motion, dimension, Vec3(0, 0, 0)));
       },
       command);
-  require_components(command, state.mesh.topology->cell_dimension());
   if (!smooth) return;
-  validate_vcvs(*smooth, state.mesh.topology->cell_dimension());
-  validate(smooth->keep_outside, state.mesh.topology->cell_dimension());
+  if (surface) require_surface_options(*smooth, topology);
+  validate_vcvs(*smooth, dimension);
+  validate(smooth->keep_outside, dimension);
 }
 
 /// Limits of the quality are kept on a path, so there has to be one.
@@ -288,21 +263,16 @@ CommandResult execute_one(const ScrambleCommand& command, const MeshState& state
                           const RunOptions&) {
   std::mt19937_64 generator(command.seed);
   if (is_surface(*state.mesh.topology)) return scramble_surface(state, generator);
+  const Topology& topology = *state.mesh.topology;
   Coordinates x = state.mesh.coordinates;
-  if (is_volume(state)) {
-    const Box<3> box = space_bounds(state.mesh);
-    for (const Index node : state.mesh.topology->interior_nodes()) {
-      Vec3 share;
-      for (double& component : share) component = uniform(generator);
-      x.set_xyz(node, box.min + box.size().cwiseProduct(share));
-    }
-    return scrambled(state, std::move(x));
-  }
-  const Bounds box = bounds(state.mesh);
-  for (const Index node : state.mesh.topology->interior_nodes()) {
-    const double u = uniform(generator);
-    const double v = uniform(generator);
-    x.set_xy(node, box.min + box.size().cwiseProduct(Vec2(u, v)));
+  std::vector<Index> used;
+  for (Index node = 0; node < topology.node_count(); ++node)
+    if (topology.used(node)) used.push_back(node);
+  const Box<3> box = body_box(x, used);
+  for (const Index node : topology.interior_nodes()) {
+    Vec3 share(0, 0, 0);
+    for (double& component : share.head(x.dimension())) component = uniform(generator);
+    set_place(x, node, box.min + box.size().cwiseProduct(share));
   }
   return scrambled(state, std::move(x));
 }
@@ -312,10 +282,10 @@ CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
   validate(command.smooth);
   if (command.edits.empty()) throw UsageError("no VCV is given to edit");
   MeshState edited = with_shape(state, command.smooth.slide);
-  if (is_volume(state))
-    edited.vcvs = edit_vcvs(*state.mesh.topology, state.vcvs.by_hand().get(), command.edits);
+  if (const auto plane = state.vcvs.plane())
+    edited.vcvs = edit_vcvs(*plane, command.edits);
   else
-    edited.vcvs = edit_vcvs(*state.vcvs.plane(), command.edits);
+    edited.vcvs = edit_vcvs(*state.mesh.topology, state.vcvs.by_hand().get(), command.edits);
   Coordinates x = starting_point(edited, options);
   SmoothResult result = smooth_interior(edited, command.smooth, x, options);
   return finish(edited, std::move(x), std::move(result));
@@ -327,6 +297,116 @@ CommandResult execute_one(const LayersCommand& command, const MeshState& state,
   CommandResult result{state, {}};
   result.smooth = run_layers(command, result.state, options);
   return result;
+}
+
+// A third component that is left out is 0 where the mesh lies, in its frame not. By how many
+// numbers a place was given stays as it is.
+void put_in_frame(MoveCommand& command, const LocalFrame& frame) {
+  for (MovingBody& body : command.bodies)
+    if (body.motion.pivot) *body.motion.pivot -= frame.origin();
+}
+
+void put_in_frame(DeformCommand& command, const LocalFrame& frame) {
+  auto* table = std::get_if<DisplacementTable>(&command.shape);
+  if (table == nullptr) return;
+  for (DisplacementEntry& entry : table->entries)
+    if (!entry.node) entry.position -= frame.origin();
+}
+
+void put_in_frame(LayersCommand& command, const LocalFrame& frame) {
+  const Vec2 origin = frame.origin().head<2>();
+  for (LayerWall& wall : command.layers.walls) {
+    wall.part.xmin -= origin.x();
+    wall.part.xmax -= origin.x();
+    wall.part.ymin -= origin.y();
+    wall.part.ymax -= origin.y();
+  }
+}
+
+// These name no place.
+void put_in_frame(SmoothCommand&, const LocalFrame&) {}
+void put_in_frame(ScrambleCommand&, const LocalFrame&) {}
+void put_in_frame(EditVcvCommand&, const LocalFrame&) {}
+
+/// The places that a result names.
+void put_in_mesh(SmoothResult& result, const LocalFrame& frame) {
+  if (result.contact) put_in_mesh(result.contact->edges, frame);
+  if (result.gap) put_in_mesh(result.gap->edges, frame);
+}
+
+/// Entries that match no node are refused by the places that the user knows.
+void check_places(const Command& command, const MeshState& state) {
+  const auto* deform = std::get_if<DeformCommand>(&command);
+  if (deform == nullptr) return;
+  if (const auto* table = std::get_if<DisplacementTable>(&deform->shape))
+    make_motion(*state.mesh.topology, state.mesh.coordinates, deform->markers, *table);
+}
+
+/// Hands meshes on the way to another monitor, where that wants to see them.
+class MonitorInFrame final : public SolverMonitor {
+ public:
+  MonitorInFrame(SolverMonitor* monitor, const LocalFrame& frame, const Coordinates& rest)
+      : monitor_(monitor), frame_(frame), rest_(rest) {}
+
+  void on_topology(const std::shared_ptr<const Topology>& topology) override {
+    if (monitor_) monitor_->on_topology(topology);
+  }
+  bool on_iteration(const IterationRecord& record, const Coordinates& x) override {
+    return !monitor_ || monitor_->on_iteration(record, frame_.to_mesh(x, rest_));
+  }
+  bool cancelled() override { return monitor_ && monitor_->cancelled(); }
+
+ private:
+  SolverMonitor* monitor_;
+  const LocalFrame& frame_;
+  const Coordinates& rest_;
+};
+
+/// The command said in the coordinates of a frame: pivots, places of displacements, boxes of walls.
+Command in_frame(Command command, const LocalFrame& frame) {
+  std::visit([&](auto& c) { put_in_frame(c, frame); }, command);
+  if (SmoothOptions* smooth = smooth_options(command)) {
+    smooth->keep_outside = to_local(std::move(smooth->keep_outside), frame);
+    auto& surface = smooth->slide.reference.surface;
+    if (surface) surface = moved_to(*surface, frame.origin());
+  }
+  return command;
+}
+
+CommandResult carry_out(const Command& command, const MeshState& state, const RunOptions& options) {
+  return std::visit([&](const auto& c) { return execute_one(c, state, options); }, command);
+}
+
+/// Carries out a command in the coordinates of a frame; start, meshes on the way and result are in
+/// those of the state.
+CommandResult carry_out_in(const LocalFrame& frame, const Command& command, const MeshState& state,
+                           const RunOptions& options) {
+  check_places(command, state);
+  const MeshState local{frame.to_local(state.mesh), state.vcvs, state.roles, state.layers};
+  MonitorInFrame monitor(options.monitor, frame, state.mesh.coordinates);
+  RunOptions local_options = options;
+  local_options.monitor = &monitor;
+  Coordinates start;
+  if (options.start != nullptr) {
+    start = frame.to_local(*options.start);
+    local_options.start = &start;
+  }
+  CommandResult result = carry_out(in_frame(command, frame), local, local_options);
+  Coordinates& x = result.state.mesh.coordinates;
+  x = frame.to_mesh(std::move(x), state.mesh.coordinates);
+  put_in_mesh(result.smooth, frame);
+  return result;
+}
+
+/// Of a plane or volume mesh: in coordinates near it, its sliding nodes on their reference surface.
+CommandResult carry_out_near_origin(const Command& command, const MeshState& state,
+                                    const RunOptions& options) {
+  const LocalFrame frame(state.mesh);
+  const std::optional<ReferenceStart> placed = on_reference(command, state, options);
+  const MeshState& from = placed ? placed->state : state;
+  RunOptions how = options;
+  if (placed) how.start = placed->start ? &*placed->start : nullptr;
+  return frame.shifts() ? carry_out_in(frame, command, from, how) : carry_out(command, from, how);
 }
 
 }  // namespace
@@ -346,28 +426,18 @@ std::string describe(const Command& command) {
   return std::visit([](const auto& c) { return describe_one(c); }, command);
 }
 
-const SmoothOptions* smooth_options(const Command& command) {
-  return std::visit(
-      [](const auto& c) -> const SmoothOptions* {
-        if constexpr (requires { c.smooth; }) {
-          return &c.smooth;
-        } else {
-          return nullptr;
-        }
-      },
-      command);
-}
-
 SmoothOptions* smooth_options(Command& command) {
   return std::visit(
       [](auto& c) -> SmoothOptions* {
-        if constexpr (requires { c.smooth; }) {
+        if constexpr (requires { c.smooth; })
           return &c.smooth;
-        } else {
+        else
           return nullptr;
-        }
       },
       command);
+}
+const SmoothOptions* smooth_options(const Command& command) {
+  return smooth_options(const_cast<Command&>(command));  // which is only looked into
 }
 
 bool follows_path(const MotionOptions& how, const SmoothOptions& smooth) {
@@ -419,27 +489,13 @@ Command with_pivot(Command command, std::span<const MeshState* const> states) {
 
 CommandResult execute(const Command& command, const MeshState& state, const RunOptions& options) {
   require_dimension(command, state);
-  const auto carry_out = [](const Command& which, const MeshState& from, const RunOptions& how) {
-    return std::visit([&](const auto& c) { return execute_one(c, from, how); }, which);
-  };
-  if (is_surface(*state.mesh.topology)) {
-    CommandResult result = carry_out(command, state, options);
-    const Mesh& surface = result.state.mesh;
-    result.smooth.inverted = check_validity(*surface.topology, surface.coordinates, 0,
-                                            reference_normals(result.state, surface.coordinates))
-                                 .inverted;
-    return result;
-  }
-  const LocalFrame frame(state.mesh);
-  const std::optional<ReferenceStart> placed = on_reference(command, state, options);
-  const MeshState& from = placed ? placed->state : state;
-  RunOptions how = options;
-  if (placed) how.start = placed->start ? &*placed->start : nullptr;
-  CommandResult result = frame.shifts() ? run_in_frame(frame, command, from, how, carry_out)
-                                        : carry_out(command, from, how);
+  CommandResult result = is_surface(*state.mesh.topology)
+                             ? carry_out(command, state, options)
+                             : carry_out_near_origin(command, state, options);
   // Whatever way it went: the count is that of the mesh that is handed over.
   const Mesh& mesh = result.state.mesh;
-  result.smooth.inverted = check_validity(*mesh.topology, mesh.coordinates).inverted;
+  const std::vector<Vec3> normals = reference_normals(result.state, mesh.coordinates);
+  result.smooth.inverted = check_validity(*mesh.topology, mesh.coordinates, 0, normals).inverted;
   return result;
 }
 

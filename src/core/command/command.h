@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/mesh.h"
 #include "core/motion/motion.h"
 #include "core/strategy/layering.h"
 #include "core/strategy/mesh_state.h"
@@ -19,6 +20,7 @@
 /// all go through execute(); nothing else changes a mesh.
 ///
 /// TO ADD A COMMAND, write a header with a struct that has `name`, `summary` and `beyond_table`,
+/// and `serves_surfaces` and `serves_volumes`, the kinds of meshes that take it besides plane ones,
 /// and with option_table(), describe_one() and execute_one() for it, and put the struct into
 /// Command. Recipes, the command line, forms and histories follow. Where beyond_table says that it
 /// holds more than its option table does (lists, other objects), those three ask for functions of
@@ -29,7 +31,7 @@ namespace winslow {
 struct SmoothCommand {
   static constexpr std::string_view name = "smooth";
   static constexpr std::string_view summary = "Smooth the interior, the boundary held";
-  static constexpr bool beyond_table = false;
+  static constexpr bool beyond_table = false, serves_surfaces = true, serves_volumes = true;
 
   SmoothOptions smooth;
 };
@@ -38,7 +40,7 @@ struct SmoothCommand {
 struct MoveCommand {
   static constexpr std::string_view name = "move";
   static constexpr std::string_view summary = "Move bodies rigidly, then smooth";
-  static constexpr bool beyond_table = true;
+  static constexpr bool beyond_table = true, serves_surfaces = false, serves_volumes = true;
 
   std::vector<MovingBody> bodies = std::vector<MovingBody>(1);
   MotionOptions how;
@@ -49,7 +51,7 @@ struct MoveCommand {
 struct DeformCommand {
   static constexpr std::string_view name = "deform";
   static constexpr std::string_view summary = "Change the shape of bodies, then smooth";
-  static constexpr bool beyond_table = true;
+  static constexpr bool beyond_table = true, serves_surfaces = false, serves_volumes = true;
 
   std::vector<std::string> markers;
   std::variant<SineDeformation, DisplacementTable> shape;
@@ -63,7 +65,7 @@ struct ScrambleCommand {
   static constexpr std::string_view summary =
       "Put every interior node at a random place of the mesh's bounding box: a test of smoothing "
       "(needs --allow-inverted to be written)";
-  static constexpr bool beyond_table = false;
+  static constexpr bool beyond_table = false, serves_surfaces = true, serves_volumes = true;
 
   std::uint64_t seed = 1;
 };
@@ -73,7 +75,7 @@ struct ScrambleCommand {
 struct EditVcvCommand {
   static constexpr std::string_view name = "edit_vcv";
   static constexpr std::string_view summary = "Change virtual control volumes, then smooth";
-  static constexpr bool beyond_table = true;
+  static constexpr bool beyond_table = true, serves_surfaces = true, serves_volumes = true;
 
   std::vector<VcvEdit> edits;
   SmoothOptions smooth;
@@ -85,7 +87,7 @@ struct LayersCommand : LayerRequest {
   static constexpr std::string_view name = "layers";
   static constexpr std::string_view summary =
       "Insert viscous layers at walls: quadrilaterals of wanted heights";
-  static constexpr bool beyond_table = true;
+  static constexpr bool beyond_table = true, serves_surfaces = false, serves_volumes = false;
 };
 
 using Command = std::variant<SmoothCommand, MoveCommand, DeformCommand, ScrambleCommand,

@@ -1,6 +1,6 @@
 #include "core/command/motion_frames.h"
 
-#include "core/motion/meshes_between.h"
+#include "core/motion/transfer.h"
 
 namespace winslow {
 namespace {
@@ -28,7 +28,7 @@ class MeshCollector : public SolverMonitor {
   }
   bool cancelled() override { return cancelled_ && cancelled_(); }
 
-  std::vector<Mesh> take() { return std::move(meshes_); }
+  std::vector<Mesh> release() { return std::move(meshes_); }
 
  private:
   std::shared_ptr<const Topology> topology_;
@@ -86,7 +86,7 @@ std::vector<Mesh> motion_frames(const std::vector<Command>& commands, MeshState 
     options.monitor = &collector;
     const std::vector<std::vector<Index>> moved = moved_as_bodies(command, *state.mesh.topology);
     state = execute(command, state, options).state;
-    std::vector<Mesh> meshes = collector.take();
+    std::vector<Mesh> meshes = collector.release();
     meshes.push_back(state.mesh);
     const std::vector<Mesh> way = whole_way(frames.back(), std::move(meshes), moved);
     const std::size_t wanted =

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/command/command.h"
-#include "core/strategy/solver_cache.h"
+#include "core/strategy/run.h"
 
 /// A mesh whose bodies move again and again, as in the time loop of a flow solver. Every place is
 /// told from the mesh as it was given, and the last mesh is where the solver begins:

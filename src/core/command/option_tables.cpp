@@ -5,15 +5,6 @@
 
 namespace winslow {
 
-namespace {
-
-OptionTable joined(OptionTable first, OptionTable second) {
-  for (Option& option : second) first.push_back(std::move(option));
-  return first;
-}
-
-}  // namespace
-
 OptionTable option_table(QualityFloor& floor) {
   OptionTable rows;
   for (std::size_t m = 0; m < floor.limits.size(); ++m) {

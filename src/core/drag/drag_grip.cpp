@@ -33,13 +33,13 @@ void walk(const std::vector<Index>& loop, const Coordinates& x, std::size_t from
           double radius, const Visit& visit) {
   const std::size_t n = loop.size();
   double distance = 0;
-  std::size_t at = from;
+  std::size_t here = from;
   for (std::size_t step = 1; step < n; ++step) {
-    const std::size_t next = forward ? (at + 1) % n : (at + n - 1) % n;
-    distance += (x.xy(loop[next]) - x.xy(loop[at])).norm();
+    const std::size_t next = forward ? (here + 1) % n : (here + n - 1) % n;
+    distance += (x.xy(loop[next]) - x.xy(loop[here])).norm();
     if (distance >= radius) return;
     visit(next, distance);
-    at = next;
+    here = next;
   }
 }
 
@@ -66,30 +66,18 @@ RigidMotion motion_between(const DragGrip& grip, const RigidMotion& from, const 
   return {.translate = Vec3(to.translate - from.translate), .axis = to.axis};
 }
 
-namespace {
-
-template <int D>
-RigidMotion fit_part(std::span<const Index> nodes, std::span<const double> shares,
-                     const Points<D>& before, const Points<D>& after) {
-  Vec<D> sum = Vec<D>::Zero();
-  double weight = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    sum += shares[i] * (after[nodes[i]] - before[nodes[i]]);
-    weight += shares[i] * shares[i];
-  }
-  RigidMotion motion;
-  if (weight > 0) motion.translate = sum / weight;
-  if (D == 3) motion.axis = Vec3::UnitZ();
-  return motion;
-}
-
-}  // namespace
-
 RigidMotion fit_motion(std::span<const Index> nodes, std::span<const double> shares,
                        const Coordinates& rest, const Coordinates& x) {
   if (shares.empty()) return fit_rigid_motion(nodes, rest, x);
-  if (rest.dimension() == 3) return fit_part<3>(nodes, shares, SpacePoints(rest), SpacePoints(x));
-  return fit_part<2>(nodes, shares, PlanePoints(rest), PlanePoints(x));
+  Vec3 sum(0, 0, 0);
+  double weight = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    sum += shares[i] * (place_of(x, nodes[i]) - place_of(rest, nodes[i]));
+    weight += shares[i] * shares[i];
+  }
+  RigidMotion motion = fit_rigid_motion({}, rest, x);  // none, in space with an axis
+  if (weight > 0) motion.translate = sum / weight;
+  return motion;
 }
 
 double faded_share(double distance, double radius) {
@@ -102,20 +90,20 @@ FadedArc faded_arc(const std::vector<Index>& loop, const Coordinates& x, std::si
                    std::size_t last, double radius) {
   const std::size_t n = loop.size();
   std::vector<double> share(n, 0.0);
-  for (std::size_t at = first;; at = (at + 1) % n) {
-    share[at] = 1;
-    if (at == last) break;
+  for (std::size_t place = first;; place = (place + 1) % n) {
+    share[place] = 1;
+    if (place == last) break;
   }
-  const auto fade = [&](std::size_t at, double distance) {
-    share[at] = std::max(share[at], faded_share(distance, radius));
+  const auto fade = [&](std::size_t place, double distance) {
+    share[place] = std::max(share[place], faded_share(distance, radius));
   };
   walk(loop, x, last, true, radius, fade);
   walk(loop, x, first, false, radius, fade);
   FadedArc arc;
-  for (std::size_t at = 0; at < n; ++at) {
-    if (share[at] <= 0) continue;
-    arc.nodes.push_back(loop[at]);
-    arc.shares.push_back(share[at]);
+  for (std::size_t place = 0; place < n; ++place) {
+    if (share[place] <= 0) continue;
+    arc.nodes.push_back(loop[place]);
+    arc.shares.push_back(share[place]);
   }
   return arc;
 }

@@ -22,12 +22,11 @@ std::vector<Points<D>> points_of(const std::vector<Coordinates>& fields) {
 DragPredictor::DragPredictor(SteadySolver& solver, const Coordinates& x, std::vector<Index> nodes,
                              std::vector<double> shares, int threads)
     : base_(x), nodes_(std::move(nodes)), shares_(std::move(shares)), threads_(threads) {
-  base_.dimension() == 3 ? prepare<3>(solver) : prepare<2>(solver);
+  in_dimension(base_, [&]<int D>(const Points<D>& points) { prepare(solver, points); });
 }
 
 template <int D>
-void DragPredictor::prepare(SteadySolver& solver) {
-  const Points<D> points(base_);
+void DragPredictor::prepare(SteadySolver& solver, const Points<D>& points) {
   Vec<D> pivot = Vec<D>::Zero();
   for (const Index node : nodes_) pivot += points[node];
   if (!nodes_.empty()) pivot /= static_cast<double>(nodes_.size());
@@ -60,17 +59,17 @@ Coordinates DragPredictor::solve_for(SteadySolver& solver, const Velocity& veloc
 }
 
 void DragPredictor::evaluate(const RigidMotion& motion, Coordinates& out) const {
-  base_.dimension() == 3 ? evaluate_in<3>(motion, out) : evaluate_in<2>(motion, out);
+  in_dimension(base_, [&]<int D>(const Points<D>& base) { evaluate(motion, base, out); });
 }
 
 template <int D>
-void DragPredictor::evaluate_in(const RigidMotion& motion, Coordinates& out) const {
+void DragPredictor::evaluate(const RigidMotion& motion, const Points<D>& base,
+                             Coordinates& out) const {
   out = base_;
   const Vec3 move = transform(motion, pivot_) - pivot_;
   const double sine = std::sin(radians(motion.rotate)), rest = 1 - std::cos(radians(motion.rotate));
   const Vec3 axis = axis_of(motion).normalized();
   const auto translations = points_of<D>(translations_), rotations = points_of<D>(rotations_);
-  const Points<D> base(base_);
   parallel_for(threads_, base_.size(), [&](Index begin, Index end) {
     for (Index node = begin; node < end; ++node) {
       Vec<D> p = base[node];

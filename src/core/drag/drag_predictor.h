@@ -36,11 +36,11 @@ class DragPredictor {
 
  private:
   template <int D>
-  void prepare(SteadySolver& solver);
+  void prepare(SteadySolver& solver, const Points<D>& points);
   template <int D, typename Velocity>
   Coordinates solve_for(SteadySolver& solver, const Velocity& velocity) const;
   template <int D>
-  void evaluate_in(const RigidMotion& motion, Coordinates& out) const;
+  void evaluate(const RigidMotion& motion, const Points<D>& base, Coordinates& out) const;
 
   Coordinates base_;
   std::vector<Index> nodes_;

@@ -1,13 +1,12 @@
 #include "core/drag/drag_session.h"
 
 #include <condition_variable>
-#include <thread>
 
 #include "core/drag/drag_predictor.h"
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
-#include "core/strategy/reference_start.h"
+#include "core/strategy/sliding.h"
 #include "core/strategy/smooth_run.h"
 #include "core/strategy/workspace.h"
 
@@ -27,19 +26,13 @@ RigidMotion next_part(const RigidMotion& pose, const RigidMotion& target) {
   return compose(pose, way);
 }
 
-/// A fitted motion with the full turns of a drag from one pose to another, of which about that much
-/// is done: they do not show in the mesh.
+/// Adds full turns, which a mesh does not show, to the motion that was fitted to it: as many as a
+/// drag from one pose to another has made when about that fraction of it is done.
 RigidMotion with_turns_of(const RigidMotion& from, const RigidMotion& to, double fraction,
                           const RigidMotion& fitted) {
   const RigidMotion& turning = to.rotate != 0 ? to : from;
   const double start = axis_of(from).dot(axis_of(turning)) < 0 ? -from.rotate : from.rotate;
   return with_turns(fitted, turning, start + fraction * (to.rotate - start));
-}
-
-Vec3 place(const Coordinates& x, Index node) {
-  if (x.dimension() == 3) return x.xyz(node);
-  const Vec2 p = x.xy(node);
-  return {p.x(), p.y(), 0};
 }
 
 }  // namespace
@@ -286,10 +279,10 @@ class DragSession::Impl final : public SolverMonitor {
   bool reached(const RigidMotion& target, const Coordinates& x) const {
     constexpr double round_off = 1e-12;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      const Vec3 rest = place(state_.mesh.coordinates, nodes_[i]);
+      const Vec3 rest = place_of(state_.mesh.coordinates, nodes_[i]);
       const Vec3 there =
           grip_.rigid() ? transform(target, rest) : Vec3(rest + grip_.shares[i] * target.translate);
-      if ((there - place(x, nodes_[i])).norm() > round_off * (1 + there.norm())) return false;
+      if ((there - place_of(x, nodes_[i])).norm() > round_off * (1 + there.norm())) return false;
     }
     return true;
   }

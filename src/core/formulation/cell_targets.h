@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
-#include <optional>
 #include <type_traits>
-#include <vector>
 
+#include "core/formulation/stretch_field.h"
 #include "core/index.h"
+#include "core/mesh/topology.h"
+#include "core/types.h"
 
 namespace winslow {
 
@@ -41,6 +41,15 @@ struct CellTargets {
   /// Part of the elements (0 to 1) that `auto` targets keep stretched. None where the blend has no
   /// share for them.
   std::optional<double> stretched;
+
+  std::span<const Term> terms_of(std::size_t cell) const { return part(terms, cell); }
+  std::span<Term> terms_of(std::size_t cell) { return part(terms, cell); }
+
+ private:
+  template <typename Terms>
+  auto part(Terms& all, std::size_t cell) const {
+    return std::span(all).subspan(at(offsets[cell]), at(offsets[cell + 1] - offsets[cell]));
+  }
 };
 
 /// Isotropic elements, wherever they were stretched before:
@@ -68,5 +77,39 @@ inline bool refers_to_given(const TargetBlend& blend) {
 
 /// The shares scaled to sum to 1. Throws UsageError for shares that are negative or all zero.
 TargetBlend normalized(const TargetBlend& blend);
+
+/// What is known of an element that its targets should heed.
+enum class ElementRole : std::uint8_t {
+  ordinary,      ///< nothing
+  layer,         ///< it is in a layer that was inserted: its shape counts far more than others'
+  found_layer,   ///< it is in a layer that was found in the mesh: the same, by less
+  beside_layers  ///< it touches the rim or a step of layers from outside: it keeps its own target
+};
+/// #elements
+using ElementRoles = std::vector<ElementRole>;
+
+/// The role of an element; ordinary where roles is null.
+inline ElementRole role_of(const ElementRoles* roles, Index element) {
+  return roles ? (*roles)[at(element)] : ElementRole::ordinary;
+}
+
+/// How much more than that of an ordinary element the shape of one counts.
+///
+/// All count relative to their size, so the elements outside, pressed together to make room, would
+/// otherwise press the layers by about as much and turn the columns of fans; 1e4 leaves a
+/// ten-thousandth of it to the corrections. Layers that were found keep the shapes that they have,
+/// which costs less: there 1e3 do, and the linear systems are easier to solve.
+double role_weight(ElementRole role);
+/// Whether the VCVs that nodes of an element were given do not count in it: those of a rim are made
+/// for the layers.
+inline bool ignores_vcvs(ElementRole role) { return role == ElementRole::beside_layers; }
+
+/// Weight of an element in the energy, all of its targets together. stretch: of the mesh as given;
+/// counts where the blend has a share for `automatic`.
+double element_weight(Index element, const TargetBlend& blend, const StretchField& stretch,
+                      const ElementRoles* roles);
+
+/// Throws UsageError unless there is one role for each element, or none at all (null).
+void require_role_of_each(const ElementRoles* roles, const Topology& topology);
 
 }  // namespace winslow

@@ -96,6 +96,12 @@ void add_projected_blocks(const Corner2& q, const ShapeTerm& term, const Penalty
                blocks);
 }
 
+void project_blocks(const Corner2& q, std::span<const ShapeTerm> terms, const PenaltyFunction& psi,
+                    double* sum) {
+  std::fill(sum, sum + TriangleSum::corners, 0.0);
+  for (const ShapeTerm& term : terms) add_projected_blocks(q, term, psi, sum);
+}
+
 Corner3::Corner3(const std::array<Vec3, 4>& p) {
   for (int k = 0; k < 3; ++k) edges.col(k) = p[static_cast<std::size_t>(k + 1)] - p[0];
   d = edges.determinant();

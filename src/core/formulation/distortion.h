@@ -1,12 +1,12 @@
 #pragma once
 
 #include "core/formulation/cell_targets.h"
+#include "core/formulation/simplex_kernel.h"
 #include "core/formulation/target_metric.h"
-#include "core/formulation/triangle_kernel.h"
 #include "core/formulation/variational_form.h"
 
 /// Distortion of one triangle against one target, and the projection of its Hessian. Values,
-/// gradients and exact Hessians: triangle_kernel.h, where the equations are.
+/// gradients and exact Hessians: simplex_kernel.h, where the equations are.
 namespace winslow::distortion {
 
 /// Two edges at the triangle's first corner and the determinant.
@@ -15,6 +15,8 @@ struct Corner2 {
 
   Corner2(const double* a, const double* b, const double* c)
       : ux(b[0] - a[0]), uy(b[1] - a[1]), vx(c[0] - a[0]), vy(c[1] - a[1]), d(ux * vy - uy * vx) {}
+
+  explicit Corner2(const std::array<Vec2, 3>& p) : Corner2(p[0].data(), p[1].data(), p[2].data()) {}
 
   double distortion(const ShapeTerm& c) const {
     const double wx = vx - ux, wy = vy - uy;
@@ -35,8 +37,11 @@ struct Corner2 {
 /// exactly one is positive because psi does not change with size.
 void add_projected_blocks(const Corner2& q, const ShapeTerm& term, const PenaltyFunction& psi,
                           double* blocks);
+/// The same of all terms of a cell, in the place of the blocks that its sum (TriangleSum) has.
+void project_blocks(const Corner2& q, std::span<const ShapeTerm> terms, const PenaltyFunction& psi,
+                    double* sum);
 
-/// Distortion of one tetrahedron against one target. Gradients and Hessians: tetrahedron_kernel.h,
+/// Distortion of one tetrahedron against one target. Gradients and Hessians: simplex_kernel.h,
 /// where the equations are.
 
 /// The three edges at the tetrahedron's first node, and the determinant.
@@ -48,5 +53,8 @@ struct Corner3 {
   /// f; not positive where the tetrahedron is inverted.
   double distortion(const VolumeTerm& term) const;
 };
+
+template <int D>
+using Corner = std::conditional_t<D == 2, Corner2, Corner3>;
 
 }  // namespace winslow::distortion

@@ -1,40 +1,9 @@
 #include "core/formulation/pointwise_winslow.h"
 
+#include "core/formulation/row_elimination.h"
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
-
-/// Maxima and sums of squares of scaled residuals, block of rows by block of rows: added up in the
-/// order of the blocks they do not depend on the number of threads.
-class BlockNorms {
- public:
-  explicit BlockNorms(Index rows)
-      : rows_(rows),
-        max_(at((rows + parallel_block - 1) / parallel_block), 0.0),
-        squares_(max_.size(), 0.0) {}
-
-  void add(Index begin_of_block, double scaled) {
-    const auto block = at(begin_of_block / parallel_block);
-    max_[block] = larger(max_[block], scaled);
-    squares_[block] += scaled * scaled;
-  }
-  ResidualNorms total() const {
-    ResidualNorms norms;
-    for (std::size_t b = 0; b < max_.size(); ++b) {
-      norms.max = larger(norms.max, max_[b]);
-      norms.rms += squares_[b];
-    }
-    norms.rms = rows_ > 0 ? std::sqrt(norms.rms / rows_) : 0;
-    return norms;
-  }
-
- private:
-  /// Maximum that a NaN does not get lost in, whichever side it is on.
-  static double larger(double a, double b) { return std::isnan(a) || a >= b ? a : b; }
-
-  Index rows_;
-  std::vector<double> max_, squares_;
-};
 
 PointwisePattern::PointwisePattern(std::shared_ptr<const NodeClasses> classes, int threads)
     : nodes(std::move(classes), threads),
@@ -126,12 +95,12 @@ void PointwiseForm<D>::each_row(const Coordinates& x, Visit&& visit) const {
 
 template <int D>
 ResidualNorms PointwiseForm<D>::residual(const Coordinates& x, std::span<double> out) const {
-  BlockNorms norms(static_cast<Index>(node_unknowns().nodes().size()));
+  std::vector<NormSum> norms(block_count(static_cast<Index>(node_unknowns().nodes().size())));
   each_row(x, [&](Index i, Index block, auto, const auto&, Index, const NodalRowOf<D>& row) {
-    norms.add(block, row.scaled());
+    norms[at(block / parallel_block)].add(row.scaled());
     if (!out.empty()) std::copy_n(row.residual.data(), D, out.data() + D * at(i));
   });
-  return norms.total();
+  return NormSum::total(norms);
 }
 
 template <int D>
@@ -145,7 +114,7 @@ Index PointwiseForm<D>::freeze(const Coordinates& x, SparseSystem& out) const {
   matrix.values.resize(matrix.pattern->columns.size());
   out.columns = D;
   out.rhs.resize(D * free.size());
-  std::vector<Index> negative((free.size() + parallel_block - 1) / parallel_block, 0);
+  std::vector<Index> negative(block_count(static_cast<Index>(free.size())), 0);
   each_row(x, [&](Index i, Index block, auto neighbours, const auto& w, Index count,
                   const NodalRowOf<D>& row) {
     negative[at(block / parallel_block)] += count;
@@ -160,9 +129,7 @@ Index PointwiseForm<D>::freeze(const Coordinates& x, SparseSystem& out) const {
     for (std::size_t c = 0; c < D; ++c)
       out.rhs[D * at(i) + c] = row.residual[static_cast<Index>(c)] * scale;
   });
-  Index total = 0;
-  for (const Index count : negative) total += count;
-  return total;
+  return std::accumulate(negative.begin(), negative.end(), Index{0});
 }
 
 /// Derivative of one row, times its scale, by the position of each neighbour; see StencilOperator.
@@ -220,7 +187,7 @@ ResidualNorms PointwiseForm<D>::linearise(const Coordinates& x, SparseMatrix& ja
   jacobian.in_space = D == 3;
   constexpr std::size_t block_size = std::size_t{D} * D;
   jacobian.values.resize(block_size * jacobian.pattern->columns.size());
-  BlockNorms norms(static_cast<Index>(free.size()));
+  std::vector<NormSum> norms(block_count(static_cast<Index>(free.size())));
   const auto set = [&](Index entry, const Matrix& block) {
     double* v = jacobian.values.data() + block_size * at(entry);
     for (int r = 0; r < D; ++r) {
@@ -239,11 +206,11 @@ ResidualNorms PointwiseForm<D>::linearise(const Coordinates& x, SparseMatrix& ja
     }
     const bool empty = !(derivative.row().absolute_sum > 0);
     set(jacobian.pattern->diagonal[at(i)], empty ? Matrix(Matrix::Identity()) : diagonal);
-    norms.add(block, derivative.row().scaled());
+    norms[at(block / parallel_block)].add(derivative.row().scaled());
     const Vec<D> r = derivative.residual();
     std::copy_n(r.data(), D, residual.data() + D * at(i));
   });
-  return norms.total();
+  return NormSum::total(norms);
 }
 
 template <int D>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/formulation/nodal_operator.h"
 #include "core/formulation/stencil_operator.h"
 #include "core/problem/node_unknowns.h"
 #include "core/problem/smoothing_problem.h"

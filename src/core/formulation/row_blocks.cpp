@@ -8,51 +8,6 @@ namespace winslow {
 
 namespace {
 
-/// The cells at each row.
-struct Stars {
-  std::vector<Index> offsets;
-  std::vector<Index> entries;
-
-  template <std::size_t N>
-  Stars(const std::vector<std::array<Index, N>>& cells, std::span<const Index> row_of_node,
-        Index rows)
-      : offsets(at(rows) + 1, 0) {
-    const auto each = [&](const auto& visit) {
-      for (std::size_t t = 0; t < cells.size(); ++t) {
-        for (const Index node : cells[t]) {
-          if (const Index row = row_of_node[at(node)]; row >= 0) visit(at(row), t);
-        }
-      }
-    };
-    each([&](std::size_t row, std::size_t) { ++offsets[row + 1]; });
-    for (std::size_t i = 0; i < at(rows); ++i) offsets[i + 1] += offsets[i];
-    entries.resize(at(offsets.back()));
-    std::vector<Index> next(offsets.begin(), offsets.end() - 1);
-    each([&](std::size_t row, std::size_t t) { entries[at(next[row]++)] = static_cast<Index>(t); });
-  }
-  std::span<const Index> of(Index row) const {
-    return {entries.data() + offsets[at(row)], at(offsets[at(row) + 1] - offsets[at(row)])};
-  }
-};
-
-template <std::size_t N>
-std::shared_ptr<SparsityPattern> make_pattern(const std::vector<std::array<Index, N>>& cells,
-                                              const Stars& stars,
-                                              std::span<const Index> row_of_node, Index rows,
-                                              int threads) {
-  const auto list = [&](Index i, std::vector<Index>& columns) {
-    columns.assign(1, i);
-    for (const Index t : stars.of(i)) {
-      for (const Index node : cells[at(t)]) {
-        if (const Index row = row_of_node[at(node)]; row >= 0) columns.push_back(row);
-      }
-    }
-    std::sort(columns.begin(), columns.end());
-    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-  };
-  return build_pattern(rows, parallel_block, threads, [&] { return list; });
-}
-
 /// Places of all rows: in the order, and in the matrices of their blocks.
 template <int D>
 class RowPlaces {
@@ -86,10 +41,8 @@ class RowPlaces {
     };
     const auto entry = [&](Index row, Index column) {
       if (!is_in_block(row) || column < 0) return 0;
-      const auto first = pattern_.columns.begin() + pattern_.offsets[at(row)];
-      const auto last = pattern_.columns.begin() + pattern_.offsets[at(row) + 1];
-      return entries(begin, position_[at(row)]) +
-             static_cast<Index>(std::lower_bound(first, last, column) - first);
+      return entries(begin, position_[at(row)]) + pattern_.find(row, column) -
+             pattern_.offsets[at(row)];
     };
     distortion::SimplexPlaces<D> places{};
     for (std::size_t corner = 0; corner <= D; ++corner) {
@@ -118,22 +71,23 @@ class RowPlaces {
 template <int D>
 RowBlocks<D>::RowBlocks(const std::vector<Cell>& cells, std::span<const Index> row_of_node,
                         Index rows, int threads) {
-  const Stars stars(cells, row_of_node, rows);
-  pattern_ = make_pattern(cells, stars, row_of_node, rows, threads);
+  const CompressedRows corners = corners_of_rows(cells, row_of_node, rows);
+  pattern_ = pattern_of_cells(cells, corners, row_of_node, threads);
   order_ = locality_ordering(*pattern_);
   const RowPlaces<D> places(*pattern_, order_);
   struct Part {
     std::vector<Index> cells;
     std::vector<distortion::SimplexPlaces<D>> places;
   };
-  const auto blocks = at((rows + rows_per_block - 1) / rows_per_block);
+  const std::size_t blocks = block_count(rows, rows_per_block);
   std::vector<Part> parts(blocks);
   entries_.resize(blocks);
   const auto fill = [&](Index begin, Index end) {
     const auto block = at(begin / rows_per_block);
     entries_[block] = places.entries(begin, end);
     for (Index p = begin; p < end; ++p) {
-      for (const Index t : stars.of(order_[at(p)])) {
+      for (const Index corner : corners[order_[at(p)]]) {
+        const Index t = corner / (D + 1);
         Cell rows_of_cell;
         std::transform(cells[at(t)].begin(), cells[at(t)].end(), rows_of_cell.begin(),
                        [&](Index node) { return row_of_node[at(node)]; });

@@ -1,13 +1,54 @@
 #pragma once
 
-#include <array>
-#include <span>
+#include <tuple>
 
+#include "core/formulation/cell_targets.h"
+#include "core/formulation/row_elimination.h"
 #include "core/formulation/simplex_kernel.h"
+#include "core/linear/pattern_builder.h"
 #include "core/linear/sparse_system.h"
+#include "core/mesh/index_sets.h"
+#include "core/problem/node_unknowns.h"
 #include "core/types.h"
 
 namespace winslow {
+
+/// Of each row, the corners of cells at it: N * cell + corner, ascending. row_of_node: -1 for nodes
+/// without a row.
+template <std::size_t N>
+CompressedRows corners_of_rows(const std::vector<std::array<Index, N>>& cells,
+                               std::span<const Index> row_of_node, Index rows) {
+  CompressedRows corners;
+  corners.offsets.assign(at(rows) + 1, 0);
+  const auto each_corner = [&](const auto& visit) {
+    for (std::size_t t = 0; t < cells.size(); ++t)
+      for (std::size_t c = 0; c < N; ++c)
+        if (const Index row = row_of_node[at(cells[t][c])]; row >= 0)
+          visit(at(row), static_cast<Index>(N * t + c));
+  };
+  each_corner([&](std::size_t row, Index) { ++corners.offsets[row + 1]; });
+  std::partial_sum(corners.offsets.begin(), corners.offsets.end(), corners.offsets.begin());
+  corners.values.resize(at(corners.offsets.back()));
+  std::vector<Index> next = corners.offsets;
+  each_corner([&](std::size_t row, Index corner) { corners.values[at(next[row]++)] = corner; });
+  return corners;
+}
+
+/// The pattern with an entry for every pair of rows with a common cell. corners: of the rows.
+template <std::size_t N>
+std::shared_ptr<SparsityPattern> pattern_of_cells(const std::vector<std::array<Index, N>>& cells,
+                                                  const CompressedRows& corners,
+                                                  std::span<const Index> row_of_node, int threads) {
+  const auto list = [&](Index row, std::vector<Index>& columns) {
+    columns.assign(1, row);
+    for (const Index corner : corners[row])
+      for (const Index node : cells[at(corner) / N])
+        if (const Index other = row_of_node[at(node)]; other >= 0) columns.push_back(other);
+    std::ranges::sort(columns);
+    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+  };
+  return build_pattern(corners.rows(), parallel_block, threads, [&] { return list; });
+}
 
 /// The free nodes (rows) in blocks that lie close together in the mesh, with the cells (triangles
 /// in the plane, tetrahedra in space) around each block. What is worked out for a cell of a block
@@ -62,6 +103,181 @@ class RowBlocks {
   std::vector<distortion::SimplexPlaces<D>> places_;
   std::vector<Index> entries_;
   std::vector<Index> first_new_;
+};
+
+/// Rows of the nodes with unknowns, then those of images, then those of nodes that follow; -1 for
+/// all others.
+inline std::vector<Index> make_row_of_node(const NodeUnknowns& nodes) {
+  std::vector<Index> row(at(nodes.topology().node_count()), -1);
+  Index next = 0;
+  for (const Index node : nodes.nodes()) row[at(node)] = next++;
+  for (const auto& image : nodes.images()) row[at(image.image)] = next++;
+  for (const auto& of : nodes.rows())
+    for (const Index node : of->between()) row[at(node)] = next++;
+  return row;
+}
+
+/// All rows, those of nodes without unknowns of their own too.
+inline Index count_rows(const NodeUnknowns& nodes) {
+  std::size_t count = nodes.nodes().size() + nodes.images().size();
+  for (const auto& of : nodes.rows()) count += of->between().size();
+  return static_cast<Index>(count);
+}
+
+/// What depends on the connectivity alone, and on which nodes move.
+template <int D>
+struct SimplexStructure {
+  SimplexStructure(const NodeUnknowns& nodes, const CellTargets<D>& shapes)
+      : row_of_node(make_row_of_node(nodes)),
+        rows(shapes.cells, row_of_node, count_rows(nodes), nodes.threads()),
+        shape_order(rows.renumber_cells()),
+        cells_at_row(at(count_rows(nodes)), 0),
+        followers(nodes, row_of_node, rows.pattern()),
+        periodic(nodes, followers.pattern()),
+        sliding(nodes, *periodic.pattern()) {
+    for (std::size_t t = 0; t < shape_order.size(); ++t) {
+      bool all_free = true;
+      for (const Index node : shapes.cells[at(shape_order[t])]) {
+        const Index row = row_of_node[at(node)];
+        all_free &= row >= 0;
+        if (row >= 0) ++cells_at_row[at(row)];
+      }
+      if (!all_free) half_free.push_back(static_cast<Index>(t));
+    }
+  }
+  std::vector<Index> row_of_node;
+  RowBlocks<D> rows;
+  std::vector<Index> shape_order;   // number in the targets as given of each cell of shapes_
+  std::vector<Index> half_free;     // cells with a node that has no unknowns
+  std::vector<Index> cells_at_row;  // how many
+  FollowerRows<D> followers;
+  PeriodicRows<D> periodic;
+  SlidingRows<D> sliding;
+
+  /// Whether some rows stand for no unknowns of their own.
+  bool joins() const { return !followers.empty() || !periodic.empty(); }
+  /// Whether the gradient of a row becomes part of one with those of others.
+  bool is_joint(std::size_t row) const {
+    if (followers.is_part(row)) return true;
+    return row < cells_at_row.size() - follower_count() && periodic.is_part(row);
+  }
+  /// The rows with unknowns that a row is part of; -1 for none.
+  std::array<Index, 2> unknown_rows(std::size_t row) const {
+    std::array<Index, 2> out = followers.rows(row);
+    for (Index& r : out)
+      if (r >= 0) r = periodic.row(at(r));
+    if (out[0] == out[1]) out[1] = -1;
+    return out;
+  }
+  /// Of a row, by what SlidingRows::feet() gives.
+  const Foot* foot(std::span<const Foot> feet, std::size_t row) const {
+    const Index slot = sliding.slot(row);
+    return slot < 0 ? nullptr : &feet[at(slot)];
+  }
+
+ private:
+  std::size_t follower_count() const {
+    return cells_at_row.size() - static_cast<std::size_t>(followers.pattern()->rows());
+  }
+};
+
+/// From sums over all rows, as if their nodes moved by themselves, to those with unknowns: first
+/// what follows, then what is the image of others, then what slides.
+template <int D>
+class RowReduction {
+ public:
+  /// stuck: nodes (#those with unknowns, or empty) that are held where they slide.
+  RowReduction(const SimplexStructure<D>& structure, const NodeUnknowns& nodes,
+               const Coordinates& x, const std::vector<bool>& stuck)
+      : structure_(structure),
+        levers_(structure.followers.levers(nodes, x)),
+        feet_(structure.sliding.feet(nodes, x)) {
+    for (std::size_t row = 0; row < stuck.size(); ++row)
+      if (stuck[row]) feet_[at(structure.sliding.slot(row))].frame = {};
+    if (!structure.joins()) return;
+    scales_.resize(structure.cells_at_row.size());
+    full_.resize(D * scales_.size());
+  }
+
+  /// Of all rows: `out`, which may be empty, where all have unknowns of their own.
+  std::span<double> all_rows(std::span<double> out) {
+    return structure_.joins() ? std::span<double>(full_) : out;
+  }
+  /// What a row's gradient compares with goes to the norms, at once where it has one of its own.
+  void add_norm(std::size_t row, const RowSum<D>& sum, NormSum& norms) {
+    const Index count = structure_.cells_at_row[row];
+    if (structure_.is_joint(row))
+      scales_[row] = sum.scale_of(count);
+    else
+      norms.add(sum.scaled(count, structure_.foot(feet_, row)));
+  }
+  /// full: all_rows(), which may be empty where out is. norms: null, or gets those of joint rows.
+  void reduce(std::span<double> full, std::span<double> out, std::vector<NormSum>* norms) const {
+    if (!structure_.joins()) {
+      if (!out.empty()) structure_.sliding.restrict(feet_, out);
+      return;
+    }
+    std::vector<double> reduced = joined(full);
+    structure_.sliding.restrict(feet_, reduced);
+    if (norms) norms->push_back(joint_norms(reduced));
+    if (!out.empty()) std::ranges::copy(reduced, out.begin());
+  }
+  /// The matrix over all rows, which is `out` itself where all have unknowns of their own. full:
+  /// all_rows(), before they are reduced.
+  void reduce(std::span<const double> full, bool convex, SparseMatrix& matrix,
+              SparseMatrix& out) const {
+    const auto& [followers, periodic, sliding] =
+        std::tie(structure_.followers, structure_.periodic, structure_.sliding);
+    if (!structure_.joins()) {
+      sliding.restrict(feet_, full, convex, out);
+      return;
+    }
+    SparseMatrix without;  // followers
+    SparseMatrix& middle = followers.empty() ? matrix : periodic.empty() ? out : without;
+    if (!followers.empty()) followers.reduce(levers_, full, convex, matrix, middle);
+    if (!periodic.empty()) periodic.reduce(middle, out);
+    sliding.restrict(feet_, joined(full), convex, out);
+  }
+
+ private:
+  using Scale = typename RowSum<D>::Scale;
+
+  std::vector<double> joined(std::span<const double> full) const {
+    std::vector<double> middle(full.begin(), full.end());
+    if (!structure_.followers.empty()) {
+      middle.resize(D * at(structure_.followers.pattern()->rows()));
+      structure_.followers.reduce(levers_, full, middle);
+    }
+    std::vector<double> out(D * at(structure_.periodic.pattern()->rows()));
+    structure_.periodic.reduce(middle, out);
+    return out;
+  }
+
+  NormSum joint_norms(std::span<const double> reduced) const {
+    std::vector<Scale> own(reduced.size() / D);
+    std::vector<unsigned char> joint(own.size(), 0);
+    for (std::size_t row = 0; row < scales_.size(); ++row) {
+      if (!structure_.is_joint(row)) continue;
+      for (const Index r : structure_.unknown_rows(row)) {
+        if (r < 0) continue;
+        joint[at(r)] = 1;
+        own[at(r)].trace += scales_[row].trace;
+        own[at(r)].edges += scales_[row].edges;
+        own[at(r)].cells += scales_[row].cells;
+      }
+    }
+    NormSum sum;
+    for (std::size_t i = 0; i < own.size(); ++i)
+      if (joint[i] != 0)
+        sum.add(own[i].scaled(Eigen::Map<const Vec<D>>(reduced.data() + D * i).norm()));
+    return sum;
+  }
+
+  const SimplexStructure<D>& structure_;
+  std::vector<typename FollowerRows<D>::Lever> levers_;
+  std::vector<Foot> feet_;
+  std::vector<Scale> scales_;
+  std::vector<double> full_;
 };
 
 }  // namespace winslow

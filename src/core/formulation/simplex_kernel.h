@@ -3,8 +3,8 @@
 #include "core/index.h"
 
 /// What the innermost loops of the variational form read and write, over the triangles of a plane
-/// mesh (D = 2) and the tetrahedra of a volume mesh (D = 3). Equations: triangle_kernel.h and
-/// tetrahedron_kernel.h. Every version of a loop rounds alike: the result is the same bit for bit.
+/// mesh (D = 2) and the tetrahedra of a volume mesh (D = 3). Every version of a loop rounds alike:
+/// the result is the same bit for bit.
 namespace winslow::distortion {
 
 /// psi(f) = linear f + scale f^exponent; integer: the exponent minus 2 if that is a small natural
@@ -87,6 +87,49 @@ struct SimplexKernel {
                      double* values);
 };
 
+/// The innermost loops of the variational form over triangles, four at a time, in machine code for
+/// the processor at hand.
+///
+/// Equations: for a triangle (a, b, c), u = x_b - x_a, v = x_c - x_a, d = u x v (or its regularised
+/// chi(d)) and a target's form N = ab |u|^2 + ac |v|^2 + bc |v - u|^2,
+///
+///   f = N / (2 d),   g_i = df/dx_i = (n_i - 2 f D_i) / (2 d),   n = dN/dx,  D = dd/dx,
+///   H_ij = d2f/dx_i dx_j = (1/d) [ L_ij I - f S_ij - g_i D_j^T - D_i g_j^T ],
+///
+/// L the target's graph Laplacian (L_ij = -ij), S_ij = d2d/dx_i dx_j = [[0, 1], [-1, 0]] for i
+/// before j; then by the chain rule for weight * psi(f). Blocks of a row sum to zero: a translation
+/// changes nothing.
+using TriangleKernel = SimplexKernel<2>;
+
+/// SimplexLayout by name: the blocks of a's row at b, a's at c, b's at c, and the corners.
+struct TriangleSum {
+  static constexpr std::ptrdiff_t ab = 0, ac = 4, bc = 8, corners = SimplexLayout<2>::corners,
+                                  size = SimplexLayout<2>::sum;
+};
+
+/// The innermost loops of the variational form over tetrahedra, four at a time.
+///
+/// Equations: for a tetrahedron with edges e_k = x_k - x_0 (k = 1, 2, 3), E = [e_1 e_2 e_3],
+/// d = det E (or its regularised chi(d)), C_k = dd/de_k the cross product of the other two, and a
+/// target's metric A (symmetric, determinant 1; A = W^-1 W^-T scaled, W the target's edges),
+///
+///   s = sum_kl A_kl e_k . e_l = |J|_F^2,   f = s / (3 d^(2/3)),   J = E W^-1,
+///   u_k = (2 / s) sum_l A_kl e_l,   w_k = C_k / d,   v_k = u_k - (2/3) w_k,   df/de_k = f v_k,
+///   d2f/de_k de_l = f [ -(2/3)(v_k w_l^T + w_k v_l^T) + (2/9) w_k w_l^T
+///                       + (2/s) A_kl I - (2/3)(1/d) d2d/de_k de_l ] + f v_k v_l^T,
+///
+/// where the last term of f comes with the chain rule for weight * psi(f): the sum is
+/// psi' f [...] + psi'' f^2 v_k v_l^T. (f: the mean ratio of L. A. Freitag and P. M. Knupp,
+/// Int. J. Numer. Meth. Engng 53, 2002, inverted.) Blocks of a row sum to zero: a translation
+/// changes nothing.
+using TetrahedronKernel = SimplexKernel<3>;
+
+/// For any processor.
+template <int D>
+const SimplexKernel<D>& portable_kernel();
+/// Null where compiler or processor have no AVX2.
+template <int D>
+const SimplexKernel<D>* avx2_kernel();
 /// The fastest one that runs here.
 template <int D>
 const SimplexKernel<D>& fastest_kernel();

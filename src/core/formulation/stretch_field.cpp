@@ -1,5 +1,7 @@
 #include "core/formulation/stretch_field.h"
 
+#include <utility>
+
 #include "core/formulation/target_metric.h"
 #include "core/mesh/corner_tetrahedra.h"
 #include "core/parallel/parallel_for.h"
@@ -18,53 +20,33 @@ double rising_step(double value, double low, double high) {
   return t * t * (3 - 2 * t);
 }
 
-bool is_inverted(std::span<const Index> nodes, const PlanePoints& x) {
+/// Of a face; normal: that of the side from which it is seen.
+bool is_inverted(std::span<const Index> nodes, const Coordinates& x, const Vec3& normal) {
   const std::size_t n = nodes.size();
   for (std::size_t k = 0; k < n; ++k) {
-    const Vec2 a = x[nodes[k]], to_b = x[nodes[(k + 1) % n]] - a,
-               to_c = x[nodes[(k + n - 1) % n]] - a;
-    if (!(to_b.x() * to_c.y() - to_b.y() * to_c.x() > 0)) return true;
-  }
-  return false;
-}
-
-/// The same of an element of a surface mesh, seen against its reference normal.
-bool is_inverted(std::span<const Index> nodes, const SpacePoints& x, const Vec3& normal) {
-  const std::size_t n = nodes.size();
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vec3 a = x[nodes[k]], to_b = x[nodes[(k + 1) % n]] - a,
-               to_c = x[nodes[(k + n - 1) % n]] - a;
+    const Vec3 a = place_of(x, nodes[k]), to_b = place_of(x, nodes[(k + 1) % n]) - a,
+               to_c = place_of(x, nodes[(k + n - 1) % n]) - a;
     const Vec3 area = to_b.cross(to_c);
     if (!(area.norm() > 0) || is_turned_over(area, normal)) return true;
   }
   return false;
 }
 
-TargetMetric metric_of(const Vec2& u, const Vec2& v) { return TargetMetric::of(u, v); }
-TargetMetric metric_of(const Vec3& u, const Vec3& v) { return TargetMetric::in_space(u, v); }
-
-/// s of StretchField, of an element that is not inverted.
-template <int D>
-double stretch_in_plane(std::span<const Index> nodes, const Points<D>& x) {
+/// s of StretchField, of a face; NaN of one that is inverted.
+double face_stretch(std::span<const Index> nodes, const Coordinates& coordinates,
+                    const Vec3& normal) {
+  if (is_inverted(nodes, coordinates, normal)) return inverted;
+  const auto x = [&](std::size_t k) { return place_of(coordinates, nodes[k]); };
   if (nodes.size() == 3) {
-    const Vec<D> u = x[nodes[1]] - x[nodes[0]], v = x[nodes[2]] - x[nodes[0]];
-    return 0.5 * stretch_between(TargetMetric::of_angle(pi / 3), metric_of(u, v));
+    const Vec3 u = x(1) - x(0), v = x(2) - x(0);
+    return 0.5 * stretch_between(TargetMetric::of_angle(pi / 3), TargetMetric::of(u, v));
   }
-  const Vec<D> p = x[nodes[1]] - x[nodes[0]] + x[nodes[2]] - x[nodes[3]];
-  const Vec<D> q = x[nodes[3]] - x[nodes[0]] + x[nodes[2]] - x[nodes[1]];
-  return 0.5 * stretch_between(TargetMetric::of_angle(pi / 2), metric_of(p, q));
-}
-
-/// NaN of an inverted element.
-double stretch_of(std::span<const Index> nodes, const PlanePoints& x) {
-  return is_inverted(nodes, x) ? inverted : stretch_in_plane(nodes, x);
-}
-double stretch_of(std::span<const Index> nodes, const SpacePoints& x, const Vec3& normal) {
-  return is_inverted(nodes, x, normal) ? inverted : stretch_in_plane(nodes, x);
+  const Vec3 p = x(1) - x(0) + x(2) - x(3), q = x(3) - x(0) + x(2) - x(1);
+  return 0.5 * stretch_between(TargetMetric::of_angle(pi / 2), TargetMetric::of(p, q));
 }
 
 /// The same of a volume element; NaN of one that is flat, too.
-double stretch_of(ElementType type, std::span<const Index> nodes, const SpacePoints& x) {
+double cell_stretch(ElementType type, std::span<const Index> nodes, const SpacePoints& x) {
   double sum = 0;
   const auto corners = corner_tetrahedra(type);
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -118,21 +100,14 @@ class Field {
       : topology_(topology), threads_(threads), stretch_(at(topology.element_count())) {
     for (Index e = 1; e < topology.element_count(); ++e)
       is_of_one_type_ &= topology.element_type(e) == topology.element_type(0);
-    if (topology.cell_dimension() == 3) {
-      const SpacePoints x(given);
-      for_each_element([&](Index e) {
-        stretch_[at(e)] = stretch_of(topology_.element_type(e), topology_.element(e), x);
-      });
-      return;
-    }
-    if (is_surface(topology)) {
-      const SpacePoints x(given);
-      for_each_element(
-          [&](Index e) { stretch_[at(e)] = stretch_of(topology_.element(e), x, normals[at(e)]); });
-      return;
-    }
-    const PlanePoints x(given);
-    for_each_element([&](Index e) { stretch_[at(e)] = stretch_of(topology_.element(e), x); });
+    for_each_element([&](Index e) {
+      const auto nodes = topology_.element(e);
+      const ElementType type = topology_.element_type(e);
+      const Vec3 normal = normals.empty() ? Vec3::UnitZ() : normals[at(e)];
+      stretch_[at(e)] = corner_tetrahedra(type).empty()
+                            ? face_stretch(nodes, given, normal)
+                            : cell_stretch(type, nodes, SpacePoints(given));
+    });
   }
 
   StretchField build() const {

@@ -1,6 +1,6 @@
 #include "core/formulation/surface_cells.h"
 
-#include "core/linear/pattern_builder.h"
+#include "core/formulation/row_blocks.h"
 #include "core/mesh/index_sets.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/corner.h"
@@ -17,24 +17,6 @@ Index element_of(const Topology& topology, const std::array<Index, 3>& nodes) {
     if (has(nodes[1]) && has(nodes[2])) return e;
   }
   return -1;
-}
-
-CompressedRows corners_of_rows(const std::vector<std::array<Index, 3>>& cells,
-                               std::span<const Index> row_of_node, Index rows) {
-  CompressedRows corners;
-  corners.offsets.assign(at(rows) + 1, 0);
-  const auto for_each_corner = [&](const auto& visit) {
-    for (std::size_t t = 0; t < cells.size(); ++t)
-      for (std::size_t c = 0; c < 3; ++c)
-        if (const Index row = row_of_node[at(cells[t][c])]; row >= 0)
-          visit(at(row), static_cast<Index>(3 * t + c));
-  };
-  for_each_corner([&](std::size_t row, Index) { ++corners.offsets[row + 1]; });
-  std::partial_sum(corners.offsets.begin(), corners.offsets.end(), corners.offsets.begin());
-  corners.values.resize(at(corners.offsets.back()));
-  std::vector<Index> next = corners.offsets;
-  for_each_corner([&](std::size_t row, Index corner) { corners.values[at(next[row]++)] = corner; });
-  return corners;
 }
 
 std::vector<bool> loose_rows(const NodeUnknowns& nodes,
@@ -76,29 +58,13 @@ SurfaceStructure::SurfaceStructure(const NodeUnknowns& nodes,
   for (Index row = 0; row < rows; ++row) row_of_node[at(nodes.nodes()[at(row)])] = row;
   for (const auto& cell : cells) element.push_back(element_of(nodes.topology(), cell));
   corners = corners_of_rows(cells, row_of_node, rows);
-  pattern = build_pattern(rows, parallel_block, nodes.threads(), [&] {
-    return [&](Index row, std::vector<Index>& columns) {
-      columns.push_back(row);
-      for (const Index corner : corners[row])
-        for (const Index node : cells[at(corner / 3)])
-          if (const Index other = row_of_node[at(node)]; other >= 0) columns.push_back(other);
-      std::ranges::sort(columns);
-      columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-    };
-  });
+  pattern = pattern_of_cells(cells, corners, row_of_node, nodes.threads());
   entries.assign(3 * cells.size(), {-1, -1, -1});
-  for (Index row = 0; row < rows; ++row) {
-    const auto first = pattern->columns.begin() + pattern->offsets[at(row)];
-    const auto last = pattern->columns.begin() + pattern->offsets[at(row) + 1];
-    for (const Index corner : corners[row]) {
-      for (std::size_t j = 0; j < 3; ++j) {
-        const Index column = row_of_node[at(cells[at(corner / 3)][j])];
-        if (column < 0) continue;
-        entries[at(corner)][j] =
-            static_cast<Index>(std::lower_bound(first, last, column) - pattern->columns.begin());
-      }
-    }
-  }
+  for (Index row = 0; row < rows; ++row)
+    for (const Index corner : corners[row])
+      for (std::size_t j = 0; j < 3; ++j)
+        if (const Index column = row_of_node[at(cells[at(corner / 3)][j])]; column >= 0)
+          entries[at(corner)][j] = pattern->find(row, column);
   loose = loose_rows(nodes, cells);
   numbers.resize(3 * cells.size());
   std::iota(numbers.begin(), numbers.end(), 0);

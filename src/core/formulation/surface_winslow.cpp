@@ -1,13 +1,10 @@
 #include "core/formulation/surface_winslow.h"
 
 #include "core/error.h"
-#include "core/formulation/corner_lengths.h"
-#include "core/formulation/distortion.h"
-#include "core/formulation/regularisation.h"
-#include "core/formulation/sliding_rows.h"
+#include "core/formulation/row_elimination.h"
+#include "core/formulation/target_metric.h"
 #include "core/formulation/target_path.h"
 #include "core/parallel/parallel_for.h"
-#include "core/problem/node_unknowns.h"
 
 namespace winslow {
 
@@ -18,12 +15,13 @@ using distortion::SimplexData;
 using Layout = distortion::SimplexLayout<2>;
 using Block = Eigen::Matrix<double, 2, 2, Eigen::RowMajor>;
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-std::size_t block_count(Index n) { return at((n + parallel_block - 1) / parallel_block); }
-
 /// Number of a pair of a cell's nodes, a < b: 01, 02, 12.
 constexpr std::size_t pair_of(std::size_t a, std::size_t b) { return a + b - 1; }
+
+distortion::Corner2 corner_of(const FlatCells& cells, std::size_t cell) {
+  const double* p = cells.x.data() + 6 * cell;
+  return {p, p + 2, p + 4};
+}
 
 /// Numbers z of a cell's pairs (01, 02, 12) stand for the quadratic form -sum z_ij (h_i - h_j)^2 of
 /// heights over its plane. This leaves the part of it that is not negative: with h = a b1 + b b2,
@@ -115,123 +113,97 @@ SurfaceWinslow::Pattern::Pattern(std::shared_ptr<const NodeClasses> classes, con
   structure = std::move(made);
 }
 
-SurfaceWinslow::SurfaceWinslow(const Pattern& pattern, std::shared_ptr<const Targets> shapes,
-                               const PenaltyOptions& penalty)
-    : VariationalForm(pattern.nodes, penalty),
-      structure_(pattern.structure),
-      shapes_(std::move(shapes)) {}
-
-std::shared_ptr<const VariationalForm> SurfaceWinslow::with_penalty(
-    const PenaltyOptions& penalty) const {
-  auto other = std::make_shared<SurfaceWinslow>(*this);
-  other->set_penalty(penalty);
-  return other;
-}
-
-std::shared_ptr<const SurfaceWinslow> SurfaceWinslow::with_shapes(
-    std::shared_ptr<const Targets> shapes) const {
-  auto other = std::make_shared<SurfaceWinslow>(*this);
-  other->shapes_ = std::move(shapes);
-  return other;
-}
-
 std::unique_ptr<const TargetPath> SurfaceWinslow::target_path(const Coordinates& from) const {
-  return std::make_unique<SurfacePath>(std::make_shared<const SurfaceWinslow>(*this), from);
+  return std::make_unique<ShapePath<2>>(copy(), SpacePoints(from), threads());
 }
 
 std::vector<Vec3> SurfaceWinslow::normals(const Coordinates& x) const {
   return element_normals(node_unknowns().classes(), x, threads());
 }
 
-FlatCells SurfaceWinslow::own_planes(const Coordinates& x) const {
-  return FlatCells::in_own_planes(*structure_, x, normals(x), threads());
+FlatCells SurfaceWinslow::lay_flat(const Coordinates& x,
+                                   const Regularisation* regularisation) const {
+  return regularisation ? FlatCells::against(*structure_, x, regularisation->normals, threads())
+                        : FlatCells::in_own_planes(*structure_, x, normals(x), threads());
 }
 
-SimplexData SurfaceWinslow::data(const FlatCells& cells,
-                                 const Regularisation* regularisation) const {
-  static_assert(sizeof(ShapeTerm) == Layout::term * sizeof(double));
-  SimplexData data;
-  data.x = cells.x.data();
-  data.nodes = structure_->numbers.data();
-  data.offsets = shapes_->offsets.data();
-  // The first member of the first term: a term is nothing but numbers.
-  data.terms = reinterpret_cast<const double*>(shapes_->terms.data());
-  data.penalty = PenaltyFunction(penalty()).constants();
-  if (regularisation) {
-    data.size = regularisation->size.data();
-    data.epsilon = 1;
-    data.curvature_share = 0;
-  }
-  return data;
+double SurfaceWinslow::energy_of(const Coordinates& x, const Regularisation* regularisation) const {
+  const FlatCells cells = lay_flat(x, regularisation);
+  return sum_energy(data(cells, regularisation));
 }
 
-double SurfaceWinslow::energy_of(const FlatCells& cells,
-                                 const Regularisation* regularisation) const {
-  const SimplexData of_cells = data(cells, regularisation);
-  const auto n = static_cast<Index>(cells.planes.size());
-  std::vector<double> sums(block_count(n), 0.0);
-  parallel_for(threads(), n, [&](Index begin, Index end) {
-    sums[at(begin / parallel_block)] = kernel_.energy(of_cells, begin, end);
-  });
-  return std::accumulate(sums.begin(), sums.end(), 0.0);
-}
-
-double SurfaceWinslow::energy(const Coordinates& x) const {
-  return energy_of(own_planes(x), nullptr);
-}
-
-double SurfaceWinslow::regularised_energy(const Coordinates& x,
-                                          const Regularisation& regularisation) const {
-  return energy_of(FlatCells::against(*structure_, x, regularisation.normals, threads()),
-                   &regularisation);
-}
-
-std::vector<double> SurfaceWinslow::determinants(const FlatCells& cells) const {
+std::vector<double> SurfaceWinslow::determinants(const Coordinates& x, Regularisation* held) const {
+  if (held) held->normals = normals(x);
+  const FlatCells cells = lay_flat(x, held);
   std::vector<double> list;
   list.reserve(cells.planes.size());
   for (std::size_t t = 0; t < cells.planes.size(); ++t) list.push_back(cells.determinant(t));
   return list;
 }
 
-std::vector<double> SurfaceWinslow::cell_sizes(const Coordinates& x) const {
-  return sizes_around(structure_->cells, determinants(own_planes(x)), topology().node_count());
-}
-
-Regularisation SurfaceWinslow::regularisation(const Coordinates& x, std::span<const double> sizes,
-                                              double softness) const {
-  std::vector<Vec3> held = normals(x);
-  const FlatCells cells = FlatCells::against(*structure_, x, held, threads());
-  Regularisation out = regularise(determinants(cells), sizes, softness);
-  out.normals = std::move(held);
-  return out;
-}
-
-Regularisation SurfaceWinslow::full_regularisation(const Coordinates& x) const {
-  std::vector<Vec3> held = normals(x);
-  const FlatCells cells = FlatCells::against(*structure_, x, held, threads());
-  Regularisation out = regularise_fully(determinants(cells));
-  out.normals = std::move(held);
-  return out;
-}
-
 std::shared_ptr<const VariationalForm> SurfaceWinslow::with_corner_lengths(
     const Coordinates& x) const {
-  return with_shapes(std::make_shared<const Targets>(winslow::with_corner_lengths(*shapes_, x)));
+  return with_shapes(
+      std::make_shared<const Targets>(winslow::with_corner_lengths(shapes(), SpacePoints(x))));
 }
 
 double SurfaceWinslow::worst_distortion(const Coordinates& x) const {
-  const FlatCells cells = own_planes(x);
-  double worst = 0;
-  for (std::size_t t = 0; t < cells.planes.size(); ++t) {
-    const double* p = cells.x.data() + 6 * t;
-    const distortion::Corner2 corner(p, p + 2, p + 4);
-    for (Index k = shapes_->offsets[t]; k < shapes_->offsets[t + 1]; ++k) {
-      const double f = corner.distortion(shapes_->terms[at(k)]);
-      if (!(f > 0)) return infinite;
-      worst = std::max(worst, f);
-    }
+  const FlatCells cells = lay_flat(x, nullptr);
+  return worst_of([&](std::size_t t) { return corner_of(cells, t); });
+}
+
+std::vector<bool> SurfaceWinslow::turned_over(const Coordinates& x) const {
+  std::vector<bool> turned;
+  for (const double determinant : determinants(x, nullptr)) turned.push_back(!(determinant > 0));
+  return turned;
+}
+
+bool SurfaceWinslow::turned_over(std::size_t cell, const Coordinates& coordinates) const {
+  const SpacePoints x(coordinates);
+  const auto& nodes = structure_->cells[cell];
+  const Vec3 u = x[nodes[1]] - x[nodes[0]], v = x[nodes[2]] - x[nodes[0]];
+  const Vec3 reference = node_unknowns().classes().sliding().element_normals()->of_element(
+      structure_->element[cell], coordinates);
+  return !(determinant_in(own_plane(u, v, reference), u, v) > 0);
+}
+
+/// Adds to `stuck` (#rows) those nodes of a cell which turn it over when they alone go from x to
+/// `there`; all of its nodes that move if none does so alone. y: x, changed and put back.
+void SurfaceWinslow::add_nodes_that_turn(std::size_t cell, const Coordinates& x,
+                                         const Coordinates& there, Coordinates& y,
+                                         std::vector<bool>& stuck) const {
+  const NodeClasses& classes = node_unknowns().classes();
+  const auto around = topology().element(structure_->element[cell]);
+  for (const Index node : around)
+    if (classes.slides(node)) y.set_xyz(node, classes.foot(node, x.xyz(node)).point);
+  std::vector<Index> moved;
+  bool found = false;
+  for (const Index node : structure_->cells[cell]) {
+    const Index row = structure_->row_of_node[at(node)];
+    if (row < 0 || (!this->stuck().empty() && this->stuck()[at(row)])) continue;
+    moved.push_back(row);
+    const Vec3 stays = y.xyz(node);
+    y.copy_node(node, there);
+    if (turned_over(cell, y)) stuck[at(row)] = found = true;
+    y.set_xyz(node, stays);
   }
-  return worst;
+  if (!found)
+    for (const Index row : moved) stuck[at(row)] = true;
+  for (const Index node : around) y.copy_node(node, x);
+}
+
+std::shared_ptr<const EnergyProblem> SurfaceWinslow::holding_stuck_nodes(
+    const Coordinates& x, std::span<const double> direction, double step) const {
+  Coordinates there = x;
+  advance(direction, step, there);
+  std::vector<bool> stuck = stuck_rows();
+  add_nodes_led_astray(node_unknowns(), x, there, direction, 2, step, stuck);
+  // Of the nodes of elements that turn over on the way, those that turn one on their own.
+  const std::vector<bool> before = turned_over(x), after = turned_over(there);
+  Coordinates y = x;
+  for (std::size_t t = 0; t < after.size(); ++t)
+    if (after[t] && !before[t]) add_nodes_that_turn(t, x, there, y, stuck);
+  return holding(std::move(stuck));
 }
 
 std::vector<Foot> SurfaceWinslow::feet(const Coordinates& coordinates) const {
@@ -243,7 +215,7 @@ std::vector<Foot> SurfaceWinslow::feet(const Coordinates& coordinates) const {
     for (auto i = at(begin); i < at(end); ++i) {
       const Index node = nodes.nodes()[i];
       feet[i] = nodes.classes().foot(node, x[node]);
-      if (!stuck_.empty() && stuck_[i]) feet[i].frame = {};
+      if (!stuck().empty() && stuck()[i]) feet[i].frame = {};
     }
   };
   parallel_for(threads(), static_cast<Index>(feet.size()), find, block);
@@ -251,18 +223,16 @@ std::vector<Foot> SurfaceWinslow::feet(const Coordinates& coordinates) const {
 }
 
 /// The numbers z of a cell, for each pair of its nodes.
-void SurfaceWinslow::bend_out(const FlatCells& cells, std::size_t cell, double* z) const {
+void SurfaceWinslow::bend_out(const distortion::Corner2& corner, std::size_t cell,
+                              double* z) const {
   const PenaltyFunction psi(penalty());
-  const double* p = cells.x.data() + 6 * cell;
-  const distortion::Corner2 corner(p, p + 2, p + 4);
   const Vec2 u(corner.ux, corner.uy), v(corner.vx, corner.vy);
   const std::array<Vec2, 3> across{v - u, -v, u};
   const std::array<double, 3> actual{across[0].dot(across[1]) / corner.d,
                                      across[0].dot(across[2]) / corner.d,
                                      across[1].dot(across[2]) / corner.d};
   std::fill_n(z, 3, 0.0);
-  for (Index k = shapes_->offsets[cell]; k < shapes_->offsets[cell + 1]; ++k) {
-    const ShapeTerm& term = shapes_->terms[at(k)];
+  for (const ShapeTerm& term : shapes().terms_of(cell)) {
     const double f = corner.distortion(term);
     const double scale = term.weight * psi.slopes(f).first / corner.d;
     const std::array<double, 3> target{-term.ab, -term.ac, -term.bc};
@@ -280,18 +250,16 @@ void SurfaceWinslow::sum_cells(const FlatCells& cells, const Regularisation* reg
   static_assert(parallel_block % CellSums::lanes == 0);
   parallel_for(threads(), n, [&](Index begin, Index end) {
     energies[at(begin / parallel_block)] =
-        kernel_.sum(of_cells, structure_->numbers.data() + begin, end - begin, 0,
-                    out.sums + Layout::sum * begin);
+        kernel().sum(of_cells, structure_->numbers.data() + begin, end - begin, 0,
+                     out.sums + Layout::sum * begin);
     for (auto t = at(begin); t < at(end); ++t) {
-      if (out.bends) bend_out(cells, t, out.z + 3 * t);
+      if (!out.bends) continue;
+      const distortion::Corner2 corner = corner_of(cells, t);
+      bend_out(corner, t, out.z + 3 * t);
       if (second != Second::projected) continue;
       keep_convex(out.z + 3 * t);
-      double* sums = out.sums + Layout::sum * static_cast<std::ptrdiff_t>(t);
-      std::fill(sums, sums + Layout::corners, 0.0);
-      const double* p = cells.x.data() + 6 * t;
-      const distortion::Corner2 corner(p, p + 2, p + 4);
-      for (Index k = shapes_->offsets[t]; k < shapes_->offsets[t + 1]; ++k)
-        distortion::add_projected_blocks(corner, shapes_->terms[at(k)], psi, sums);
+      distortion::project_blocks(corner, shapes().terms_of(t), psi,
+                                 out.sums + Layout::sum * static_cast<std::ptrdiff_t>(t));
     }
   });
   out.energy = std::accumulate(energies.begin(), energies.end(), 0.0);
@@ -365,12 +333,22 @@ SurfaceWinslow::RowSums SurfaceWinslow::sum_row(const FlatCells& cells, const Ce
   return out;
 }
 
-Linearisation SurfaceWinslow::assemble(const FlatCells& cells, const Regularisation* regularisation,
-                                       const Coordinates& x, Second second, SparseMatrix* hessian,
+Linearisation SurfaceWinslow::assemble(const Coordinates& x, const Regularisation* regularisation,
+                                       bool projected, SparseMatrix& hessian,
+                                       std::span<double> residual) const {
+  const Second second = regularisation ? Second::convex
+                        : projected    ? Second::projected
+                                       : Second::exact;
+  return assemble(x, regularisation, second, &hessian, residual);
+}
+
+Linearisation SurfaceWinslow::assemble(const Coordinates& x, const Regularisation* regularisation,
+                                       Second second, SparseMatrix* hessian,
                                        std::span<double> residual) const {
   // What a surface without a held node may do for nothing, a sphere turn say, is held by so much of
   // the diagonal: far less than any other change of shape costs.
   constexpr double hold = 1e-8;
+  const FlatCells cells = lay_flat(x, regularisation);
   CellSums sums(*structure_->memory, structure_->cells.size());
   sum_cells(cells, regularisation, second, sums);
   const std::vector<Foot> at_nodes = feet(x);
@@ -411,21 +389,7 @@ Linearisation SurfaceWinslow::assemble(const FlatCells& cells, const Regularisat
 }
 
 ResidualNorms SurfaceWinslow::residual(const Coordinates& x, std::span<double> out) const {
-  return assemble(own_planes(x), nullptr, x, Second::none, nullptr, out).norms;
-}
-
-Linearisation SurfaceWinslow::linearise(const Coordinates& x, Curvature curvature,
-                                        SparseMatrix& hessian, std::span<double> residual) const {
-  const Second second = curvature == Curvature::exact ? Second::exact : Second::projected;
-  return assemble(own_planes(x), nullptr, x, second, &hessian, residual);
-}
-
-Linearisation SurfaceWinslow::linearise_regularised(const Coordinates& x,
-                                                    const Regularisation& regularisation,
-                                                    SparseMatrix& hessian,
-                                                    std::span<double> residual) const {
-  const FlatCells cells = FlatCells::against(*structure_, x, regularisation.normals, threads());
-  return assemble(cells, &regularisation, x, Second::convex, &hessian, residual);
+  return assemble(x, nullptr, Second::none, nullptr, out).norms;
 }
 
 void SurfaceWinslow::boundary_response(const Coordinates&, const Coordinates&,

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "core/formulation/cell_targets.h"
-#include "core/formulation/simplex_kernel.h"
+#include "core/formulation/distortion.h"
 #include "core/formulation/surface_cells.h"
-#include "core/formulation/triangle_kernel.h"
 #include "core/formulation/variational_form.h"
 
 namespace winslow {
@@ -32,10 +30,8 @@ namespace winslow {
 ///
 /// Untangling sees each triangle against its reference normal instead, held for a step
 /// (Regularisation::normals): there determinants have a sign.
-class SurfaceWinslow final : public VariationalForm {
+class SurfaceWinslow final : public TargetForm<2> {
  public:
-  using Targets = CellTargets<2>;
-
   /// See SimplexWinslow::Pattern.
   struct Pattern {
     /// classes: with element normals; every node that moves slides. targets: their cells count, and
@@ -54,49 +50,36 @@ class SurfaceWinslow final : public VariationalForm {
       : SurfaceWinslow(Pattern(std::move(classes), *targets, threads), targets, penalty) {}
   /// targets: of the cells that the pattern was made of, in their order.
   SurfaceWinslow(const Pattern& pattern, std::shared_ptr<const Targets> targets,
-                 const PenaltyOptions& penalty);
-  std::shared_ptr<const VariationalForm> with_penalty(const PenaltyOptions& penalty) const override;
-  /// The same with other targets of the same cells, in the same order.
-  std::shared_ptr<const SurfaceWinslow> with_shapes(std::shared_ptr<const Targets> targets) const;
+                 const PenaltyOptions& penalty)
+      : TargetForm(pattern.nodes, std::move(targets), penalty), structure_(pattern.structure) {}
 
-  std::string_view name() const override { return "variational"; }
   ResidualNorms residual(const Coordinates& x, std::span<double> out) const override;
   /// Zero: no node is prescribed.
   void boundary_response(const Coordinates& x, const Coordinates& displacement,
                          std::span<double> out) const override;
-  double energy(const Coordinates& x) const override;
-  Linearisation linearise(const Coordinates& x, Curvature curvature, SparseMatrix& hessian,
-                          std::span<double> residual) const override;
-  std::vector<double> cell_sizes(const Coordinates& x) const override;
-  Regularisation regularisation(const Coordinates& x, std::span<const double> sizes,
-                                double softness) const override;
-  Regularisation full_regularisation(const Coordinates& x) const override;
-  double regularised_energy(const Coordinates& x,
-                            const Regularisation& regularisation) const override;
-  Linearisation linearise_regularised(const Coordinates& x, const Regularisation& regularisation,
-                                      SparseMatrix& hessian,
-                                      std::span<double> residual) const override;
   std::shared_ptr<const EnergyProblem> holding_stuck_nodes(const Coordinates& x,
                                                            std::span<const double> direction,
                                                            double step) const override;
-  Index stuck_nodes() const override;
   std::shared_ptr<const VariationalForm> with_corner_lengths(const Coordinates& x) const override;
   double worst_distortion(const Coordinates& x) const override;
   std::unique_ptr<const TargetPath> target_path(const Coordinates& from) const override;
-  std::optional<double> stretched() const override { return shapes_->stretched; }
-
-  const Targets& shapes() const { return *shapes_; }
 
  private:
   enum class Second { none, exact, projected, convex };
   struct CellSums;
   struct RowSums;
 
+  std::shared_ptr<TargetForm<2>> copy() const override {
+    return std::make_shared<SurfaceWinslow>(*this);
+  }
   std::vector<Vec3> normals(const Coordinates& x) const;
-  FlatCells own_planes(const Coordinates& x) const;
-  distortion::SimplexData data(const FlatCells& cells, const Regularisation* regularisation) const;
-  double energy_of(const FlatCells& cells, const Regularisation* regularisation) const;
-  std::vector<double> determinants(const FlatCells& cells) const;
+  /// Each in its own plane, with a regularisation against the normals that this holds.
+  FlatCells lay_flat(const Coordinates& x, const Regularisation* regularisation) const;
+  distortion::SimplexData data(const FlatCells& cells, const Regularisation* regularisation) const {
+    return TargetForm::data(cells.x.data(), structure_->numbers.data(), regularisation);
+  }
+  double energy_of(const Coordinates& x, const Regularisation* regularisation) const override;
+  std::vector<double> determinants(const Coordinates& x, Regularisation* held) const override;
   std::vector<Foot> feet(const Coordinates& x) const;
   /// For each cell, whether it shows the wrong side.
   std::vector<bool> turned_over(const Coordinates& x) const;
@@ -106,19 +89,17 @@ class SurfaceWinslow final : public VariationalForm {
 
   void sum_cells(const FlatCells& cells, const Regularisation* regularisation, Second second,
                  CellSums& out) const;
-  void bend_out(const FlatCells& cells, std::size_t cell, double* z) const;
+  void bend_out(const distortion::Corner2& corner, std::size_t cell, double* z) const;
   void find_blocks(const FlatCells& cells, std::span<const Foot> feet, CellSums& sums) const;
   RowSums sum_row(const FlatCells& cells, const CellSums& sums, const Foot& foot, Index row,
                   double* entries) const;
+  Linearisation assemble(const Coordinates& x, const Regularisation* regularisation, bool projected,
+                         SparseMatrix& hessian, std::span<double> residual) const override;
   /// hessian: null where none is wanted; residual may be empty.
-  Linearisation assemble(const FlatCells& cells, const Regularisation* regularisation,
-                         const Coordinates& x, Second second, SparseMatrix* hessian,
-                         std::span<double> residual) const;
+  Linearisation assemble(const Coordinates& x, const Regularisation* regularisation, Second second,
+                         SparseMatrix* hessian, std::span<double> residual) const;
 
   std::shared_ptr<const SurfaceStructure> structure_;
-  std::shared_ptr<const Targets> shapes_;
-  std::vector<bool> stuck_;  // #rows; empty: none
-  const distortion::TriangleKernel& kernel_ = distortion::triangle_kernel();
 };
 
 }  // namespace winslow

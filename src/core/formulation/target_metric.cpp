@@ -23,8 +23,7 @@ std::vector<Eigen::Matrix3d> make(ElementType type, Tetrahedra tetrahedra) {
 std::array<std::vector<Eigen::Matrix3d>, 6> make_all(Tetrahedra (*tetrahedra)(ElementType)) {
   std::array<std::vector<Eigen::Matrix3d>, 6> lists;
   for (const ElementType type : all_element_types)
-    if (shape_of(type).dimension == 3)
-      lists[static_cast<std::size_t>(type)] = make(type, tetrahedra(type));
+    lists[static_cast<std::size_t>(type)] = make(type, tetrahedra(type));  // none of faces
   return lists;
 }
 
@@ -39,5 +38,86 @@ const std::vector<Eigen::Matrix3d>& regular_edge_metrics(ElementType type) {
   static const auto lists = make_all(edge_tetrahedra);
   return lists[static_cast<std::size_t>(type)];
 }
+
+namespace {
+
+/// Share of a metric's larger entries below which an entry is round-off: a right angle.
+constexpr double round_off = 1e-9;
+
+/// Which edges from the nodes of a cell its target is right-angled in, as pairs of its nodes: those
+/// from the first, and in space those of a tetrahedron at the edge of its first two nodes
+/// (edge_tetrahedra()), of which one starts from the second.
+using EdgeNodes = std::array<std::array<std::size_t, 2>, 3>;
+constexpr std::array<EdgeNodes, 3> edge_choices{
+    {{{{0, 1}, {0, 2}, {0, 3}}}, {{{0, 1}, {0, 2}, {1, 3}}}, {{{0, 1}, {1, 2}, {0, 3}}}}};
+
+/// The edges from the first node by those of a choice, as columns.
+Eigen::Matrix3d in_edges(std::size_t choice) {
+  Eigen::Matrix3d columns = Eigen::Matrix3d::Identity();
+  if (choice > 0) columns(0, choice == 1 ? 2 : 1) = 1;
+  return columns;
+}
+
+/// The same metric over edges of these lengths, where it has an edge at right angles to both
+/// others, or, all_right, where all three are at right angles.
+std::optional<Eigen::Matrix3d> with_lengths(const Eigen::Matrix3d& metric, const Vec3& lengths,
+                                            bool all_right) {
+  const auto right = [&](int k, int l) {
+    return std::abs(metric(k, l)) <= round_off * std::sqrt(metric(k, k) * metric(l, l));
+  };
+  const Eigen::Matrix3d gram = metric.inverse();
+  Vec3 scale = lengths.cwiseQuotient(gram.diagonal().cwiseSqrt());
+  for (int k = 0; k < 3; ++k) {
+    const int l = (k + 1) % 3, m = (k + 2) % 3;
+    if (!right(k, l) || !right(k, m) || (all_right && !right(l, m))) continue;
+    if (!right(l, m)) scale[l] = scale[m] = std::sqrt(scale[l] * scale[m]);
+    const Vec3 inverse = scale.cwiseInverse();
+    return normalized_metric(inverse.asDiagonal() * metric * inverse.asDiagonal());
+  }
+  return std::nullopt;
+}
+
+template <int S>
+void take_lengths(ShapeTerm& term, const std::array<Index, 3>& cell, const Points<S>& x) {
+  if (!(std::abs(term.bc) <= round_off * (term.ab + term.ac))) return;
+  const double first = (x[cell[1]] - x[cell[0]]).norm(), second = (x[cell[2]] - x[cell[0]]).norm();
+  const double ratio = second / first;
+  term.ab = ratio;
+  term.ac = 1 / ratio;
+  term.bc = 0;
+}
+
+void take_lengths(VolumeTerm& term, const std::array<Index, 4>& cell, const SpacePoints& x) {
+  const Eigen::Matrix3d metric = metric_of(term);
+  const auto try_choice = [&](std::size_t choice, bool all_right) {
+    Vec3 lengths;
+    for (int k = 0; k < 3; ++k) {
+      const auto [from, to] = edge_choices[choice][at(k)];
+      lengths[k] = (x[cell[to]] - x[cell[from]]).norm();
+    }
+    const Eigen::Matrix3d t = in_edges(choice);
+    const auto scaled = with_lengths(t * metric * t.transpose(), lengths, all_right);
+    if (!scaled) return false;
+    const Eigen::Matrix3d back = t.inverse();
+    term = volume_term(normalized_metric(back * *scaled * back.transpose()), term.weight);
+    return true;
+  };
+  // The edges at the edge of a hexahedron also have one at right angles to both others as they are.
+  for (const bool all_right : {true, false})
+    for (std::size_t choice = 0; choice < edge_choices.size(); ++choice)
+      if (try_choice(choice, all_right)) return;
+}
+
+}  // namespace
+
+template <int D, int S>
+CellTargets<D> with_corner_lengths(CellTargets<D> targets, const Points<S>& x) {
+  for (std::size_t t = 0; t < targets.cells.size(); ++t)
+    for (auto& term : targets.terms_of(t)) take_lengths(term, targets.cells[t], x);
+  return targets;
+}
+template CellTargets<2> with_corner_lengths(CellTargets<2> targets, const PlanePoints& x);
+template CellTargets<2> with_corner_lengths(CellTargets<2> targets, const SpacePoints& x);
+template CellTargets<3> with_corner_lengths(CellTargets<3> targets, const SpacePoints& x);
 
 }  // namespace winslow

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/formulation/cell_targets.h"
-#include "core/formulation/target_shapes.h"
+#include "core/mesh/coordinates.h"
 #include "core/mesh/element_type.h"
 #include "core/types.h"
 
@@ -19,17 +19,18 @@ namespace winslow {
 struct TargetMetric {
   double a11 = 0, a12 = 0, a22 = 0;
 
-  static TargetMetric of(const Vec2& m1, const Vec2& m2) {
-    const double det = m1.x() * m2.y() - m1.y() * m2.x();
-    return {m2.squaredNorm() / det, -m1.dot(m2) / det, m1.squaredNorm() / det};
-  }
-  /// Of edges in space, as they lie in their own plane.
-  static TargetMetric in_space(const Vec3& m1, const Vec3& m2) {
-    const double det = m1.cross(m2).norm();
+  /// Of edges in space as they lie in their own plane.
+  template <int D>
+  static TargetMetric of(const Vec<D>& m1, const Vec<D>& m2) {
+    double det = 0;
+    if constexpr (D == 2)
+      det = m1.x() * m2.y() - m1.y() * m2.x();
+    else
+      det = m1.cross(m2).norm();
     return {m2.squaredNorm() / det, -m1.dot(m2) / det, m1.squaredNorm() / det};
   }
   static TargetMetric of_angle(double angle) {
-    return of(Vec2(1, 0), Vec2(std::cos(angle), std::sin(angle)));
+    return of<2>(Vec2(1, 0), Vec2(std::cos(angle), std::sin(angle)));
   }
   static TargetMetric of(const ShapeTerm& term) {
     return {term.ab + term.bc, -term.bc, term.ac + term.bc};
@@ -138,5 +139,19 @@ struct RelativeMetric {
 inline double stretch_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   return RelativeMetric(a, b).stretch();
 }
+
+/// Gives targets of single corners the edge lengths that the corner has in a mesh. Then only its
+/// angles count. Which edges that are depends on the element:
+///
+/// - quadrilateral: both edges of a corner; hexahedron: all three;
+/// - prism: the edge along its height; the two edges of the triangle take their mean length;
+/// - edge_tetrahedra() of these: the edges that would meet there at right angles, one of which
+/// starts
+///   at the other end of the edge.
+///
+/// Targets of triangles and tetrahedra stay, since those stand for the whole element. x:
+/// the nodes, in space also for D = 2 (surface meshes).
+template <int D, int S>
+CellTargets<D> with_corner_lengths(CellTargets<D> targets, const Points<S>& x);
 
 }  // namespace winslow

@@ -6,8 +6,9 @@ namespace winslow {
 
 namespace {
 
-TargetMetric own_metric(const PlanePoints& x, const std::array<Index, 3>& cell, const ShapeTerm&) {
-  return TargetMetric::of(x[cell[1]] - x[cell[0]], x[cell[2]] - x[cell[0]]);
+template <int S>
+TargetMetric own_metric(const Points<S>& x, const std::array<Index, 3>& cell, const ShapeTerm&) {
+  return TargetMetric::of(Vec<S>(x[cell[1]] - x[cell[0]]), Vec<S>(x[cell[2]] - x[cell[0]]));
 }
 
 /// Of a cell that is as good as flat that at the end of the way.
@@ -29,53 +30,32 @@ VolumeTerm on_the_way(const Eigen::Matrix3d& own, const VolumeTerm& term, double
 }  // namespace
 
 template <int D>
-ShapePath<D>::ShapePath(std::shared_ptr<const SimplexWinslow<D>> end, const Coordinates& from,
+template <int S>
+ShapePath<D>::ShapePath(std::shared_ptr<const TargetForm<D>> end, const Points<S>& from,
                         int threads)
     : end_(std::move(end)), threads_(threads) {
-  const Points<D> x(from);
-  own_.reserve(end_->shapes().cells.size());
   const CellTargets<D>& shapes = end_->shapes();
+  own_.reserve(shapes.cells.size());
   for (std::size_t t = 0; t < shapes.cells.size(); ++t)
-    own_.push_back(own_metric(x, shapes.cells[t], shapes.terms[at(shapes.offsets[t])]));
+    own_.push_back(own_metric(from, shapes.cells[t], shapes.terms_of(t).front()));
 }
 
 template <int D>
-std::shared_ptr<const SimplexWinslow<D>> ShapePath<D>::form_at(double share) const {
+std::shared_ptr<const TargetForm<D>> ShapePath<D>::form_at(double share) const {
   if (share >= 1) return end_;
   CellTargets<D> shapes = end_->shapes();
   const auto count = static_cast<Index>(own_.size());
   parallel_for(threads_, count, [&](Index begin, Index stop) {
-    for (Index t = begin; t < stop; ++t) {
-      for (Index k = shapes.offsets[at(t)]; k < shapes.offsets[at(t) + 1]; ++k)
-        shapes.terms[at(k)] = on_the_way(own_[at(t)], shapes.terms[at(k)], share);
-    }
+    for (std::size_t t = at(begin); t < at(stop); ++t)
+      for (auto& term : shapes.terms_of(t)) term = on_the_way(own_[t], term, share);
   });
-  return end_->with_ordered_shapes(std::make_shared<const CellTargets<D>>(std::move(shapes)));
+  return end_->with_shapes(std::make_shared<const CellTargets<D>>(std::move(shapes)));
 }
 
 template class ShapePath<2>;
 template class ShapePath<3>;
-
-SurfacePath::SurfacePath(std::shared_ptr<const SurfaceWinslow> end, const Coordinates& from)
-    : end_(std::move(end)) {
-  const SpacePoints x(from);
-  own_.reserve(end_->shapes().cells.size());
-  for (const auto& cell : end_->shapes().cells) {
-    const Vec3 u = x[cell[1]] - x[cell[0]], v = x[cell[2]] - x[cell[0]];
-    own_.push_back(TargetMetric::in_space(u, v));
-  }
-}
-
-std::shared_ptr<const VariationalForm> SurfacePath::at_share(double share) const {
-  if (share >= 1) return end_;
-  CellTargets<2> shapes = end_->shapes();
-  for (std::size_t t = 0; t < own_.size(); ++t) {
-    for (Index k = shapes.offsets[t]; k < shapes.offsets[t + 1]; ++k) {
-      ShapeTerm& term = shapes.terms[at(k)];
-      term = between(own_[t], TargetMetric::of(term), share).term(term.weight);
-    }
-  }
-  return end_->with_shapes(std::make_shared<const CellTargets<2>>(std::move(shapes)));
-}
+template ShapePath<2>::ShapePath(std::shared_ptr<const TargetForm<2>>, const PlanePoints&, int);
+template ShapePath<2>::ShapePath(std::shared_ptr<const TargetForm<2>>, const SpacePoints&, int);
+template ShapePath<3>::ShapePath(std::shared_ptr<const TargetForm<3>>, const SpacePoints&, int);
 
 }  // namespace winslow

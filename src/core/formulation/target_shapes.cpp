@@ -3,31 +3,74 @@
 #include "core/error.h"
 #include "core/formulation/stretch_field.h"
 #include "core/formulation/target_metric.h"
+#include "core/mesh/corner_tetrahedra.h"
+#include "core/parallel/parallel_for.h"
 #include "core/quality/corner.h"
 
 namespace winslow {
 
 namespace {
 
-class Builder {
- public:
-  Builder(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* given,
-          int threads, std::span<const Index> urgent, const NodeClasses* classes,
-          std::span<const Vec3> normals, const ElementRoles* roles)
-      : vcv_(vcv),
-        topology_(vcv.topology()),
-        classes_(classes),
-        blend_(normalized(blend)),
-        given_(given),
-        normals_(normals),
-        roles_(roles) {
-    require_role_of_each(roles, topology_);
+/// What targets of elements in the plane, on surfaces and in space have in common.
+class TargetBuilder {
+ protected:
+  /// given: null if the blend does not refer to it. normals: of the elements of a surface mesh.
+  TargetBuilder(const Topology& topology, const TargetBlend& blend, const Coordinates* given,
+                int threads, std::span<const Index> urgent, const NodeClasses* classes,
+                const ElementRoles* roles, std::span<const Vec3> normals)
+      : topology_(topology), blend_(normalized(blend)), classes_(classes), roles_(roles) {
+    require_role_of_each(roles, topology);
     if (refers_to_given(blend) && !given) throw UsageError("targets that refer to no mesh");
-    if (blend.automatic > 0) {
-      stretch_ = stretch_field(topology_, *given, threads, normals);
-      shapes_.stretched = stretch_.stretched;
-      for (const Index e : urgent) stretch_.weight[at(e)] *= 4;
-    }
+    if (blend.automatic == 0) return;
+    stretch_ = stretch_field(topology, *given, threads, normals);
+    for (const Index e : urgent) stretch_.weight[at(e)] *= 4;
+  }
+
+  /// Whether any of some nodes can move.
+  bool movable(std::span<const Index> nodes) const {
+    return std::ranges::any_of(nodes, [&](Index node) {
+      return !topology_.on_boundary(node) || (classes_ && classes_->moves(node));
+    });
+  }
+  bool heeds_vcvs(Index e) const { return !ignores_vcvs(role_of(roles_, e)); }
+  double weight_of(Index e) const { return element_weight(e, blend_, stretch_, roles_); }
+  /// CellTargets::stretched.
+  std::optional<double> stretched() const {
+    return blend_.automatic > 0 ? std::optional(stretch_.stretched) : std::nullopt;
+  }
+  /// How much of the way from the regular shape to its own, which is stretched by so much, the
+  /// target of a corner lies.
+  double own_share(Index e, double stretch) const {
+    const double longest = stretch_.longest[at(e)];
+    return stretch_.share[at(e)] * (stretch > longest ? longest / stretch : 1);
+  }
+  bool has_own_share(Index e) const { return stretch_.share[at(e)] != 0; }
+  [[noreturn]] static void refuse_rest(Index e, const char* fault) {
+    throw MeshError(MeshEntity::element, e,
+                    "element " + std::to_string(e) + " is " + fault +
+                        " in the rest mesh, which is to be the target; choose other targets");
+  }
+
+  const Topology& topology_;
+  const TargetBlend blend_;
+  const NodeClasses* classes_;  // null: nothing slides
+
+ private:
+  const ElementRoles* roles_;  // null: nothing is known of elements
+  StretchField stretch_;       // where the blend has a share for it
+};
+
+/// Of the elements of plane and surface meshes.
+class FaceTargets : TargetBuilder {
+ public:
+  FaceTargets(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* given,
+              int threads, std::span<const Index> urgent, const NodeClasses* classes,
+              std::span<const Vec3> normals, const ElementRoles* roles)
+      : TargetBuilder(vcv.topology(), blend, given, threads, urgent, classes, roles, normals),
+        vcv_(vcv),
+        given_(given),
+        normals_(normals) {
+    shapes_.stretched = stretched();
     edited_blend_ = {0, 0, blend_.automatic + blend_.element + blend_.vcv, blend_.rest};
   }
 
@@ -43,12 +86,6 @@ class Builder {
   }
 
  private:
-  bool movable(const std::array<Index, 3>& nodes) const {
-    return std::any_of(nodes.begin(), nodes.end(), [&](Index node) {
-      return !topology_.on_boundary(node) || (classes_ && classes_->moves(node));
-    });
-  }
-
   static std::array<Index, 3> corner_nodes(std::span<const Index> element, std::size_t k) {
     const std::size_t n = element.size();
     return {element[k], element[(k + 1) % n], element[(k + n - 1) % n]};
@@ -67,38 +104,19 @@ class Builder {
   void add_rest(TargetMetric& metric, const std::array<Index, 3>& nodes, Index e) const {
     if (blend_.rest == 0) return;
     const auto own = own_metric(nodes, e);
-    if (!own) {
-      throw MeshError(MeshEntity::element, e,
-                      "element " + std::to_string(e) +
-                          " is inverted in the rest mesh, which is to be the target; choose other "
-                          "targets");
-    }
+    if (!own) refuse_rest(e, "inverted");
     metric.add(blend_.rest, *own);
   }
 
   /// Of a corner in the mesh as given; none if it is inverted.
   std::optional<TargetMetric> own_metric(const std::array<Index, 3>& nodes, Index e) const {
-    if (is_surface(topology_)) {
-      const Vec3 m1 = given_->xyz(nodes[1]) - given_->xyz(nodes[0]);
-      const Vec3 m2 = given_->xyz(nodes[2]) - given_->xyz(nodes[0]);
-      const Vec3 area = m1.cross(m2);
-      if (!(area.norm() > 0) || is_turned_over(area, normals_[at(e)])) return std::nullopt;
-      return TargetMetric::in_space(m1, m2);
-    }
-    const Vec2 m1 = given_->xy(nodes[1]) - given_->xy(nodes[0]);
-    const Vec2 m2 = given_->xy(nodes[2]) - given_->xy(nodes[0]);
-    if (!(m1.x() * m2.y() - m1.y() * m2.x() > 0)) return std::nullopt;
+    const Vec3 first = place_of(*given_, nodes[0]);
+    const Vec3 m1 = place_of(*given_, nodes[1]) - first, m2 = place_of(*given_, nodes[2]) - first;
+    const Vec3 area = m1.cross(m2), normal = normals_.empty() ? Vec3::UnitZ() : normals_[at(e)];
+    if (!(area.norm() > 0) || is_turned_over(area, normal)) return std::nullopt;
     return TargetMetric::of(m1, m2);
   }
 
-  /// How much of the way from the regular shape to its own the target of a corner lies.
-  double own_share(Index e, const TargetMetric& regular, const TargetMetric& own) const {
-    const double stretch = 0.5 * stretch_between(regular, own);
-    const double limit = stretch > stretch_.longest[at(e)] ? stretch_.longest[at(e)] / stretch : 1;
-    return stretch_.share[at(e)] * limit;
-  }
-
-  double weight_of(Index e) const { return element_weight(e, blend_, stretch_, roles_); }
   /// Metric of a corner of a regular element, and of one that keeps its stretch as the field says,
   /// times their shares.
   void add_regular(TargetMetric& metric, const TargetBlend& blend,
@@ -108,8 +126,11 @@ class Builder {
     metric.add(blend.element, regular);
     if (blend.automatic == 0) return;
     const auto own = own_metric(nodes, e);
-    metric.add(blend.automatic,
-               own ? between(regular, *own, own_share(e, regular, *own)) : regular);
+    metric.add(blend.automatic, own ? automatic(e, regular, *own) : regular);
+  }
+
+  TargetMetric automatic(Index e, const TargetMetric& regular, const TargetMetric& own) const {
+    return between(regular, own, own_share(e, 0.5 * stretch_between(regular, own)));
   }
 
   /// VCV metric of the corner at a free node, times the share. A VCV of two edges has straight
@@ -138,16 +159,16 @@ class Builder {
     const double each = next && previous ? share / 2 : share;
     if (next) {
       const auto [to_opposite, to_corner] = vcv_edges(e, node(1));
-      metric.add(each, TargetMetric::of(-to_corner, to_opposite));
+      metric.add(each, TargetMetric::of<2>(-to_corner, to_opposite));
     }
     if (previous) {
       const auto [to_corner, to_opposite] = vcv_edges(e, node(3));
-      metric.add(each, TargetMetric::of(to_opposite, -to_corner));
+      metric.add(each, TargetMetric::of<2>(to_opposite, -to_corner));
     }
     if (next || previous) return;
     if (counts(2)) {
       const auto [to_previous, to_next] = vcv_edges(e, node(2));
-      metric.add(each, TargetMetric::of(-to_previous, -to_next));
+      metric.add(each, TargetMetric::of<2>(-to_previous, -to_next));
     } else {
       metric.add(each, TargetMetric::of_angle(pi / 2));
     }
@@ -166,7 +187,7 @@ class Builder {
     const auto first = corner_nodes(element, 0);
     if (!movable(first)) return;
     shapes_.cells.push_back(first);
-    if (blend_.vcv > 0 || (any_edited(element) && !ignores_vcvs(role_of(roles_, e)))) {
+    if (blend_.vcv > 0 || (any_edited(element) && heeds_vcvs(e))) {
       add_vcv_terms(e);
     } else {
       shapes_.terms.push_back(common_metric(blend_, first, e).normalized().term(weight_of(e)));
@@ -232,7 +253,7 @@ class Builder {
     for (std::size_t k = 0; k < 4; ++k) {
       if (!live[k]) continue;
       const auto nodes = corner_nodes(element, k);
-      const bool own = ignores_vcvs(role_of(roles_, e));
+      const bool own = !heeds_vcvs(e);
       const bool follows = !own && topology_.on_boundary(nodes[0]) && any_edited(element);
       const TargetBlend& blend = own ? blend_ : follows ? edited_blend_ : blend_at(nodes[0]);
       TargetMetric metric;
@@ -254,14 +275,9 @@ class Builder {
   }
 
   const VirtualControlVolumes& vcv_;
-  const Topology& topology_;
-  const NodeClasses* classes_;  // null: nothing slides
-  TargetBlend blend_;
   TargetBlend edited_blend_;  // at nodes whose VCVs were edited
   const Coordinates* given_;
   std::span<const Vec3> normals_;  // of the elements of a surface mesh
-  const ElementRoles* roles_;      // null: nothing is known of elements
-  StretchField stretch_;           // where the blend has a share for it
   TargetShapes shapes_;
 };
 
@@ -271,7 +287,196 @@ TargetShapes TargetShapes::build(const VirtualControlVolumes& vcv, const TargetB
                                  const Coordinates* given, int threads,
                                  std::span<const Index> urgent, const NodeClasses* classes,
                                  std::span<const Vec3> normals, const ElementRoles* roles) {
-  return Builder(vcv, blend, given, threads, urgent, classes, normals, roles).build();
+  return FaceTargets(vcv, blend, given, threads, urgent, classes, normals, roles).build();
+}
+
+namespace {
+
+/// Of the elements of volume meshes.
+class VolumeTargets : TargetBuilder {
+ public:
+  VolumeTargets(const Topology& topology, const VolumeVcvs* vcvs, const TargetBlend& blend,
+                const Coordinates* given, int threads, std::span<const Index> urgent,
+                const VolumeTargetDetails& details)
+      : TargetBuilder(topology, blend, given, threads, urgent, details.classes, details.roles, {}),
+        vcvs_(vcvs),
+        stencils_(details.stencils),
+        threads_(threads),
+        guarded_(details.guarded) {
+    if (blend_.vcv > 0 && !vcvs) throw UsageError("targets that refer to no VCVs");
+    if (refers_to_given(blend)) given_.emplace(*given);
+    targets_.stretched = stretched();
+  }
+
+  CellTargets<3> build() {
+    for (Index e = 0; e < topology_.element_count(); ++e) list_element(e);
+    targets_.terms.resize(at(targets_.offsets.back()));
+    const auto count = static_cast<Index>(targets_.cells.size());
+    parallel_for(threads_, count, [&](Index begin, Index end) {
+      for (Index cell = begin; cell < end; ++cell) fill(cell);
+    });
+    return std::move(targets_);
+  }
+
+ private:
+  /// Where a cell comes from.
+  struct Origin {
+    Index element;
+    int corner;     ///< of corner_tetrahedra(); beyond these, of edge_tetrahedra()
+    double weight;  ///< of all its terms together
+  };
+
+  bool free(Index node) const { return !topology_.on_boundary(node); }
+  /// The VCV that a node was given, as far as an element heeds it; null: none.
+  const SphereStencil* by_hand(Index e, Index node) const {
+    if (!stencils_ || !heeds_vcvs(e)) return nullptr;
+    const auto found = stencils_->find(node);
+    return found != stencils_->end() ? &found->second : nullptr;
+  }
+  /// The share of VCVs in a target of an element at a node.
+  double vcv_share(Index e, Index node) const {
+    if (!free(node)) return 0;
+    return by_hand(e, node) ? 1 - blend_.rest : blend_.vcv;
+  }
+  /// How many nodes of a tetrahedron have a target with a VCV in it; 0: one target for all.
+  Index vcv_terms(Index e, const std::array<Index, 4>& nodes) const {
+    if (topology_.element_type(e) != ElementType::tetrahedron) return 0;
+    if (blend_.vcv == 0 && !stencils_) return 0;
+    return static_cast<Index>(std::count_if(nodes.begin(), nodes.end(),
+                                            [&](Index node) { return vcv_share(e, node) > 0; }));
+  }
+
+  /// The cells of an element, and how many terms each is to have.
+  void list_element(Index e) {
+    const auto corners = corner_tetrahedra(topology_.element_type(e));
+    const std::size_t first = targets_.cells.size();
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const auto nodes = by_nodes(corners[k], topology_.element(e));
+      if (!movable(nodes)) continue;
+      if (blend_.rest > 0 && !own_metric(nodes)) refuse_rest(e, "inverted or flat");
+      targets_.cells.push_back(nodes);
+      targets_.offsets.push_back(targets_.offsets.back() + std::max(vcv_terms(e, nodes), 1));
+      origins_.push_back({e, static_cast<int>(k), 0});
+    }
+    if (std::ranges::binary_search(guarded_, e)) list_edges(e);
+    const auto live = static_cast<double>(targets_.cells.size() - first);
+    for (std::size_t cell = first; cell < origins_.size(); ++cell)
+      origins_[cell].weight = weight_of(e) / live;
+  }
+
+  void list_edges(Index e) {
+    const ElementType type = topology_.element_type(e);
+    const auto corners = corner_tetrahedra(type).size();
+    const auto edges = edge_tetrahedra(type);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const auto nodes = by_nodes(edges[k], topology_.element(e));
+      if (!movable(nodes)) continue;
+      if (blend_.rest > 0 && !own_metric(nodes)) continue;
+      targets_.cells.push_back(nodes);
+      targets_.offsets.push_back(targets_.offsets.back() + 1);
+      origins_.push_back({e, static_cast<int>(corners + k), 0});
+    }
+  }
+
+  void fill(Index cell) {
+    const auto& nodes = targets_.cells[at(cell)];
+    const Index e = origins_[at(cell)].element;
+    const int corner = origins_[at(cell)].corner;
+    const double weight = origins_[at(cell)].weight;
+    VolumeTerm* term = targets_.terms.data() + targets_.offsets[at(cell)];
+    const ElementType type = topology_.element_type(e);
+    const std::size_t corners = corner_tetrahedra(type).size();
+    const bool at_edge = at(corner) >= corners;
+    const Eigen::Matrix3d& regular = at_edge ? regular_edge_metrics(type)[at(corner) - corners]
+                                             : regular_metrics(type)[at(corner)];
+    const Eigen::Matrix3d common = common_part(e, regular, nodes);
+    const auto at_node = [&](std::size_t k, double share) {
+      const double vcv = vcv_share(e, nodes[k]);
+      const Eigen::Matrix3d others = by_hand(e, nodes[k]) ? rest_part(nodes) : common;
+      return volume_term(normalized_metric(others + vcv * vcv_metric(e, nodes, k)), share);
+    };
+    if (const Index terms = vcv_terms(e, nodes); terms > 0) {
+      for (std::size_t k = 0; k < 4; ++k)
+        if (vcv_share(e, nodes[k]) > 0) *term++ = at_node(k, weight / static_cast<double>(terms));
+      return;
+    }
+    const bool tetrahedron = type == ElementType::tetrahedron;
+    if (!tetrahedron && !at_edge && vcv_share(e, nodes[0]) > 0) {
+      *term = at_node(0, weight);
+      return;
+    }
+    // There is no VCV at the boundary.
+    const Eigen::Matrix3d sum = common + blend_.vcv * regular;
+    *term = volume_term(normalized_metric(sum), weight);
+  }
+
+  /// Metric, over the edges from the first node, of the tetrahedron that the VCV of node `centre`
+  /// of these has in the place of theirs.
+  Eigen::Matrix3d vcv_metric(Index e, const std::array<Index, 4>& nodes, std::size_t centre) const {
+    const auto neighbours = topology_.neighbours(nodes[centre]);
+    const auto place = [&](std::size_t k) -> Vec3 {
+      if (k == centre) return {0, 0, 0};
+      const auto found = std::find(neighbours.begin(), neighbours.end(), nodes[k]);
+      const auto at_ring = static_cast<std::size_t>(found - neighbours.begin());
+      if (const SphereStencil* given = by_hand(e, nodes[centre]))
+        return given->lengths[at_ring] * given->directions[at_ring];
+      return vcvs_->point(nodes[centre], static_cast<Index>(at_ring));
+    };
+    const Vec3 origin = place(0);
+    Edges3 edges;
+    for (int k = 0; k < 3; ++k) edges.col(k) = place(at(k + 1)) - origin;
+    return volume_metric(edges);
+  }
+
+  /// What a target has besides VCVs: metrics times their shares.
+  Eigen::Matrix3d common_part(Index e, const Eigen::Matrix3d& regular,
+                              const std::array<Index, 4>& nodes) const {
+    Eigen::Matrix3d sum = blend_.element * regular;
+    if (!given_) return sum;
+    const auto own = own_metric(nodes);
+    if (blend_.automatic > 0)
+      sum += blend_.automatic * (own ? automatic(e, regular, *own) : regular);
+    if (blend_.rest > 0) sum += blend_.rest * *own;
+    return sum;
+  }
+
+  Eigen::Matrix3d automatic(Index e, const Eigen::Matrix3d& regular,
+                            const Eigen::Matrix3d& own) const {
+    if (!has_own_share(e)) return regular;
+    const RelativeMetric relative(regular, own);
+    return relative.between(own_share(e, 0.5 * relative.stretch()));
+  }
+
+  /// The share of the mesh as given alone.
+  Eigen::Matrix3d rest_part(const std::array<Index, 4>& nodes) const {
+    if (!(blend_.rest > 0)) return Eigen::Matrix3d::Zero();
+    return blend_.rest * *own_metric(nodes);
+  }
+
+  /// Of a corner in the mesh as given; none if it is inverted or flat.
+  std::optional<Eigen::Matrix3d> own_metric(const std::array<Index, 4>& nodes) const {
+    Edges3 edges;
+    for (int k = 0; k < 3; ++k) edges.col(k) = (*given_)[nodes[at(k + 1)]] - (*given_)[nodes[0]];
+    if (!has_metric(edges)) return std::nullopt;
+    return volume_metric(edges);
+  }
+
+  const VolumeVcvs* vcvs_;
+  const SphereStencils* stencils_;  // null: none
+  int threads_;
+  std::span<const Index> guarded_;
+  std::vector<Origin> origins_;       // of each cell
+  std::optional<SpacePoints> given_;  // where the blend refers to it
+  CellTargets<3> targets_;
+};
+
+}  // namespace
+
+CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
+                              const TargetBlend& blend, const Coordinates* given, int threads,
+                              std::span<const Index> urgent, const VolumeTargetDetails& details) {
+  require_volume(topology, "targets of volume elements: the mesh is a ");
+  return VolumeTargets(topology, vcvs, blend, given, threads, urgent, details).build();
 }
 
 }  // namespace winslow

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/formulation/cell_targets.h"
 #include "core/formulation/simplex_kernel.h"
 #include "core/problem/node_unknowns.h"
 #include "core/problem/smoothing_problem.h"
@@ -85,6 +86,94 @@ class VariationalForm : public NodeProblem<UntanglingProblem> {
  private:
   PenaltyOptions penalty_;
 };
+
+/// A variational form over the targets of triangles (D = 2) or tetrahedra (D = 3), as far as it is
+/// the same wherever these lie. What derives from it knows where the corners of the cells are, and
+/// how sums over cells become rows of the unknowns.
+template <int D>
+class TargetForm : public VariationalForm {
+ public:
+  using Targets = CellTargets<D>;
+
+  std::string_view name() const final { return "variational"; }
+  std::shared_ptr<const VariationalForm> with_penalty(const PenaltyOptions& penalty) const final;
+  /// The same with other targets of the same cells, in the order of shapes().
+  std::shared_ptr<const TargetForm> with_shapes(std::shared_ptr<const Targets> shapes) const;
+  const Targets& shapes() const { return *shapes_; }
+  std::optional<double> stretched() const final { return shapes_->stretched; }
+
+  double energy(const Coordinates& x) const final { return energy_of(x, nullptr); }
+  double regularised_energy(const Coordinates& x,
+                            const Regularisation& regularisation) const final {
+    return energy_of(x, &regularisation);
+  }
+  Linearisation linearise(const Coordinates& x, Curvature curvature, SparseMatrix& hessian,
+                          std::span<double> residual) const final {
+    return assemble(x, nullptr, curvature == Curvature::projected, hessian, residual);
+  }
+  Linearisation linearise_regularised(const Coordinates& x, const Regularisation& regularisation,
+                                      SparseMatrix& hessian,
+                                      std::span<double> residual) const final {
+    return assemble(x, &regularisation, false, hessian, residual);
+  }
+  std::vector<double> cell_sizes(const Coordinates& x) const final;
+  Regularisation regularisation(const Coordinates& x, std::span<const double> sizes,
+                                double softness) const final;
+  Regularisation full_regularisation(const Coordinates& x) const final;
+  Index stuck_nodes() const final;
+
+ protected:
+  TargetForm(NodeUnknowns nodes, std::shared_ptr<const Targets> shapes,
+             const PenaltyOptions& penalty)
+      : VariationalForm(std::move(nodes), penalty), shapes_(std::move(shapes)) {}
+
+  virtual std::shared_ptr<TargetForm> copy() const = 0;
+  /// regularisation: null for the determinants themselves, as for assemble().
+  virtual double energy_of(const Coordinates& x, const Regularisation* regularisation) const = 0;
+  /// With a regularisation, or projected, the Hessian is positive semidefinite.
+  virtual Linearisation assemble(const Coordinates& x, const Regularisation* regularisation,
+                                 bool projected, SparseMatrix& hessian,
+                                 std::span<double> residual) const = 0;
+  /// Of all cells. held: gets what else a regularisation holds, and the determinants are as it is
+  /// to see them; null: as the energy sees them.
+  virtual std::vector<double> determinants(const Coordinates& x, Regularisation* held) const = 0;
+
+  /// What the kernel reads. points, nodes: of all cells.
+  distortion::SimplexData data(const double* points, const Index* nodes,
+                               const Regularisation* regularisation) const;
+  /// The energy of all cells.
+  double sum_energy(const distortion::SimplexData& cells) const;
+  /// The largest distortion of a cell; infinite if one is inverted. corner(cell): its Corner.
+  template <typename CornerOf>
+  double worst_of(const CornerOf& corner) const {
+    double worst = 0;
+    for (std::size_t t = 0; t < shapes_->cells.size(); ++t) {
+      const auto of_cell = corner(t);
+      for (const auto& term : shapes_->terms_of(t)) {
+        const double f = of_cell.distortion(term);
+        if (!(f > 0)) return std::numeric_limits<double>::infinity();
+        worst = std::max(worst, f);
+      }
+    }
+    return worst;
+  }
+  const distortion::SimplexKernel<D>& kernel() const { return kernel_; }
+
+  /// For each row (#nodes with unknowns) whether it is held where its node slides; empty: none is.
+  const std::vector<bool>& stuck() const { return stuck_; }
+  /// The same with false in place of nothing.
+  std::vector<bool> stuck_rows() const;
+  /// The same problem with these rows held; null if they are no more than those of this one.
+  std::shared_ptr<const EnergyProblem> holding(std::vector<bool> stuck) const;
+
+ private:
+  std::shared_ptr<const Targets> shapes_;
+  std::vector<bool> stuck_;
+  const distortion::SimplexKernel<D>& kernel_ = distortion::fastest_kernel<D>();
+};
+
+extern template class TargetForm<2>;
+extern template class TargetForm<3>;
 
 /// Targets on the way from the shapes that the cells of a mesh have to those that are wanted: on
 /// the geodesic between their metrics. With its own shapes for targets a mesh is the exact minimum

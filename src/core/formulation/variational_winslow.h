@@ -7,9 +7,6 @@
 
 namespace winslow {
 
-template <int D>
-struct SimplexStructure;
-
 /// Winslow smoothing as a minimisation: the harmonic energy of the inverse map, summed over
 /// targets,
 ///
@@ -26,7 +23,7 @@ struct SimplexStructure;
 /// mean of the diagonal of node i's Hessian block and over its mean edge length, like the pointwise
 /// form's.
 template <int D>
-class SimplexWinslow final : public VariationalForm {
+class SimplexWinslow final : public TargetForm<D> {
  public:
   using Targets = CellTargets<D>;
 
@@ -47,70 +44,40 @@ class SimplexWinslow final : public VariationalForm {
   SimplexWinslow(std::shared_ptr<const NodeClasses> classes, const Targets& targets,
                  const PenaltyOptions& penalty, int threads)
       : SimplexWinslow(Pattern(std::move(classes), targets, threads), targets, penalty) {}
-  /// targets: of the cells that the pattern was made of, in their order.
+  /// targets: of the cells that the pattern was made of, in their order. shapes() has an order of
+  /// the form's own.
   SimplexWinslow(const Pattern& pattern, const Targets& targets, const PenaltyOptions& penalty);
-  std::shared_ptr<const VariationalForm> with_penalty(const PenaltyOptions& penalty) const override;
-  /// The same with other terms, in the order of shapes().
-  std::shared_ptr<const SimplexWinslow> with_ordered_shapes(
-      std::shared_ptr<const Targets> targets) const;
 
-  std::string_view name() const override { return "variational"; }
   ResidualNorms residual(const Coordinates& x, std::span<double> out) const override;
   void boundary_response(const Coordinates& x, const Coordinates& displacement,
                          std::span<double> out) const override;
-  double energy(const Coordinates& x) const override;
-  /// D by D blocks, in the pattern of RowBlocks.
-  Linearisation linearise(const Coordinates& x, Curvature curvature, SparseMatrix& hessian,
-                          std::span<double> residual) const override;
-  std::vector<double> cell_sizes(const Coordinates& x) const override;
-  Regularisation regularisation(const Coordinates& x, std::span<const double> sizes,
-                                double softness) const override;
-  Regularisation full_regularisation(const Coordinates& x) const override;
-  double regularised_energy(const Coordinates& x,
-                            const Regularisation& regularisation) const override;
-  Linearisation linearise_regularised(const Coordinates& x, const Regularisation& regularisation,
-                                      SparseMatrix& hessian,
-                                      std::span<double> residual) const override;
   std::shared_ptr<const VariationalForm> with_corner_lengths(const Coordinates& x) const override;
   double worst_distortion(const Coordinates& x) const override;
   std::shared_ptr<const EnergyProblem> holding_stuck_nodes(const Coordinates& x,
                                                            std::span<const double> direction,
                                                            double step) const override;
-  Index stuck_nodes() const override;
   std::unique_ptr<const TargetPath> target_path(const Coordinates& from) const override;
-  std::optional<double> stretched() const override { return shapes_->stretched; }
-
-  /// The targets, in an order of the formulation's own.
-  const Targets& shapes() const { return *shapes_; }
 
  private:
   struct BlockMemory;
+  std::shared_ptr<TargetForm<D>> copy() const override {
+    return std::make_shared<SimplexWinslow>(*this);
+  }
   distortion::SimplexData data(const Coordinates& x, const Regularisation* regularisation) const;
-  double energy_of(const distortion::SimplexData& cells) const;
-  /// convex: the Hessian is positive semidefinite by construction, and is to stay so.
-  Linearisation assemble(const distortion::SimplexData& cells, const Coordinates& x, bool project,
-                         bool convex, SparseMatrix& hessian, std::span<double> residual) const;
+  double energy_of(const Coordinates& x, const Regularisation* regularisation) const override {
+    return this->sum_energy(data(x, regularisation));
+  }
+  /// D by D blocks, in the pattern of RowBlocks.
+  Linearisation assemble(const Coordinates& x, const Regularisation* regularisation, bool projected,
+                         SparseMatrix& hessian, std::span<double> residual) const override;
+  std::vector<double> determinants(const Coordinates& x, Regularisation* held) const override;
   double sum_block(const distortion::SimplexData& data, bool is_projected, bool with_matrix,
                    Index block, BlockMemory& memory) const;
-  void project(const distortion::SimplexData& data, std::span<const Index> cells,
-               double* sums) const;
   template <typename Visit>
   void for_each_block(Visit&& visit) const;
 
   std::shared_ptr<const SimplexStructure<D>> structure_;
-  std::shared_ptr<const Targets> shapes_;
-  std::vector<bool> stuck_;  // #nodes with unknowns; empty: none
-  const distortion::SimplexKernel<D>& kernel_ = distortion::fastest_kernel<D>();
 };
-
-template <>
-std::shared_ptr<const EnergyProblem> SimplexWinslow<2>::holding_stuck_nodes(
-    const Coordinates& x, std::span<const double> direction, double step) const;
-template <>
-std::shared_ptr<const EnergyProblem> SimplexWinslow<3>::holding_stuck_nodes(
-    const Coordinates& x, std::span<const double> direction, double step) const;
-extern template Index SimplexWinslow<2>::stuck_nodes() const;
-extern template Index SimplexWinslow<3>::stuck_nodes() const;
 
 /// Of plane meshes, and of volume meshes.
 using VariationalWinslow = SimplexWinslow<2>;

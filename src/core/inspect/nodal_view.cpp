@@ -1,7 +1,5 @@
 #include "core/inspect/nodal_view.h"
 
-#include <Eigen/Geometry>
-
 #include "core/error.h"
 #include "core/mesh/surface_faces.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/formulation/nodal_operator.h"
+#include "core/formulation/stencil_operator.h"
 #include "core/vcv/virtual_control_volumes.h"
 
 /// What the operator knows at a node of a plane mesh:

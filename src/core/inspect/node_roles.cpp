@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "core/mesh/surface_faces.h"
 #include "core/problem/node_classes.h"
-#include "core/strategy/held_spacing.h"
+#include "core/strategy/sliding.h"
 #include "core/strategy/surface_shape.h"
 
 namespace winslow {

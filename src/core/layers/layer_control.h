@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/formulation/element_roles.h"
+#include "core/formulation/cell_targets.h"
 #include "core/layers/layer_stack.h"
 #include "core/vcv/virtual_control_volumes.h"
 

@@ -1,5 +1,6 @@
 #include "core/linear/factorisation.h"
 
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 #include <new>
 
@@ -139,18 +140,20 @@ bool ran_out_of_memory(const Eigen::UmfPackLU<Matrix>& lu) {
          lu.umfpackFactorizeReturncode() == UMFPACK_ERROR_invalid_Symbolic_object;
 }
 #endif
-#if !defined(WINSLOW_HAS_KLU) && !defined(WINSLOW_HAS_UMFPACK)
-bool ran_out_of_memory(const Eigen::SparseLU<Matrix>&) { return false; }  // it throws
-#endif
+template <typename OfEigen>
+bool ran_out_of_memory(const OfEigen&) {
+  return false;  // it throws
+}
 
-template <typename Lu>
-class LuFactorisation final : public Factorisation {
+/// By a solver of Eigen's, or one that has the same members.
+template <typename Solver, EigenMatrix::Part part = EigenMatrix::Part::all>
+class EigenFactorisation final : public Factorisation {
  public:
-  explicit LuFactorisation(const char* name) : name_(name) {
+  explicit EigenFactorisation(const char* name) : name_(name) {
 #if defined(WINSLOW_HAS_UMFPACK)
     // No steps of iterative refinement: residuals are at round-off without.
-    if constexpr (std::is_same_v<Lu, Eigen::UmfPackLU<Matrix>>) {
-      lu_.umfpackControl()(UMFPACK_IRSTEP) = 0;
+    if constexpr (std::is_same_v<Solver, Eigen::UmfPackLU<Matrix>>) {
+      solver_.umfpackControl()(UMFPACK_IRSTEP) = 0;
     }
 #endif
   }
@@ -158,11 +161,13 @@ class LuFactorisation final : public Factorisation {
   std::string description() const override { return name_; }
 
   void factorise(const SparseMatrix& matrix) override {
-    if (matrix_.assign(matrix)) lu_.analyzePattern(matrix_.matrix());
+    if (matrix_.assign(matrix)) solver_.analyzePattern(matrix_.matrix());
     const BlasTurn turn(uses_blas);
-    lu_.factorize(matrix_.matrix());
-    if (lu_.info() != Eigen::Success) {
-      if (ran_out_of_memory(lu_)) throw std::bad_alloc();
+    solver_.factorize(matrix_.matrix());
+    if (solver_.info() != Eigen::Success) {
+      if (ran_out_of_memory(solver_)) throw std::bad_alloc();
+      if (part == EigenMatrix::Part::lower)
+        throw NotPositiveDefinite("the matrix is not positive definite (sparse Cholesky)");
       throw NumericError("the linear system is singular (sparse LU failed)");
     }
   }
@@ -172,7 +177,7 @@ class LuFactorisation final : public Factorisation {
     const Eigen::Index n = matrix_.matrix().rows();
     const Eigen::MatrixXd b = Eigen::Map<const RowMajor>(rhs.data(), n, columns);
     const BlasTurn turn(uses_blas);
-    const Eigen::MatrixXd solution = lu_.solve(b);
+    const Eigen::MatrixXd solution = solver_.solve(b);
     if (!solution.allFinite()) {
       throw NumericError("the linear system is singular to working precision");
     }
@@ -181,17 +186,25 @@ class LuFactorisation final : public Factorisation {
 
  private:
 #if defined(WINSLOW_HAS_UMFPACK)
-  static constexpr bool uses_blas = std::is_same_v<Lu, Eigen::UmfPackLU<Matrix>>;
+  static constexpr bool uses_blas = std::is_same_v<Solver, Eigen::UmfPackLU<Matrix>>;
 #else
   static constexpr bool uses_blas = false;
 #endif
 
   const char* name_;
-  EigenMatrix matrix_{EigenMatrix::Part::all};
-  Lu lu_;
+  EigenMatrix matrix_{part};
+  Solver solver_;
 };
 
 }  // namespace
+
+#if !defined(WINSLOW_HAS_CHOLMOD)
+std::unique_ptr<Factorisation> make_cholesky() {
+  using Cholesky = Eigen::SimplicialLLT<Matrix>;
+  return std::make_unique<EigenFactorisation<Cholesky, EigenMatrix::Part::lower>>(
+      "Eigen simplicial Cholesky");
+}
+#endif
 
 std::unique_ptr<Factorisation> make_lu([[maybe_unused]] Index rows) {
 #if defined(WINSLOW_HAS_UMFPACK)
@@ -199,13 +212,13 @@ std::unique_ptr<Factorisation> make_lu([[maybe_unused]] Index rows) {
   // Below, dense kernels do not pay for themselves.
   constexpr Index umfpack_limit = 8'000;
   if (rows < umfpack_limit || !blas_has_memory())
-    return std::make_unique<LuFactorisation<Eigen::KLU<Matrix>>>("KLU sparse LU");
+    return std::make_unique<EigenFactorisation<Eigen::KLU<Matrix>>>("KLU sparse LU");
 #endif
-  return std::make_unique<LuFactorisation<Eigen::UmfPackLU<Matrix>>>("UMFPACK sparse LU");
+  return std::make_unique<EigenFactorisation<Eigen::UmfPackLU<Matrix>>>("UMFPACK sparse LU");
 #elif defined(WINSLOW_HAS_KLU)
-  return std::make_unique<LuFactorisation<Eigen::KLU<Matrix>>>("KLU sparse LU");
+  return std::make_unique<EigenFactorisation<Eigen::KLU<Matrix>>>("KLU sparse LU");
 #else
-  return std::make_unique<LuFactorisation<Eigen::SparseLU<Matrix>>>("Eigen sparse LU");
+  return std::make_unique<EigenFactorisation<Eigen::SparseLU<Matrix>>>("Eigen sparse LU");
 #endif
 }
 

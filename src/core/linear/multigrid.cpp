@@ -50,6 +50,15 @@ double outside_weight(const SparseMatrix& matrix, Index row, Index begin, Index 
 
 }  // namespace
 
+/// visit(size of blocks as a constant, first row, end) for each run of rows, on several threads.
+template <typename Visit>
+void GaussSeidel::each_run(int threads, Visit&& visit) const {
+  with_block(block_, [&](auto size) {
+    parallel_for(worthwhile(threads, values_.size()), pattern_->rows(),
+                 [&](Index begin, Index end) { visit(size, begin, end); });
+  });
+}
+
 void GaussSeidel::build(const SparseMatrix& matrix, int threads) {
   pattern_ = matrix.pattern;
   block_ = matrix.block;
@@ -58,10 +67,8 @@ void GaussSeidel::build(const SparseMatrix& matrix, int threads) {
   inverse_.resize(rows * at(block_) * at(block_));
   excess_.resize(rows);
   inside_.resize(2 * rows);
-  with_block(block_, [&](auto size) {
-    parallel_for(worthwhile(threads, values_.size()), pattern_->rows(),
-                 [&](Index begin, Index end) { build_rows<size()>(matrix, begin, end); });
-  });
+  each_run(threads,
+           [&](auto size, Index begin, Index end) { build_rows<size()>(matrix, begin, end); });
 }
 
 template <int B>
@@ -138,35 +145,30 @@ void GaussSeidel::backward_rows(std::span<const Real> b, std::span<const Real> b
 
 void GaussSeidel::forward(std::span<const Real> b, std::span<Real> x, std::span<Real> r,
                           int threads) const {
-  with_block(block_, [&](auto size) {
-    const Index n = pattern_->rows();
-    parallel_for(worthwhile(threads, values_.size()), n,
-                 [&](Index begin, Index end) { forward_rows<size()>(b, x, begin, end); });
-    parallel_for(worthwhile(threads, values_.size()), n,
-                 [&](Index begin, Index end) { defect_after_forward<size()>(x, r, begin, end); });
+  each_run(threads,
+           [&](auto size, Index begin, Index end) { forward_rows<size()>(b, x, begin, end); });
+  each_run(threads, [&](auto size, Index begin, Index end) {
+    defect_after_forward<size()>(x, r, begin, end);
   });
 }
 
 void GaussSeidel::backward(std::span<const Real> b, std::span<const Real> before, std::span<Real> x,
                            int threads) const {
-  with_block(block_, [&](auto size) {
-    parallel_for(worthwhile(threads, values_.size()), pattern_->rows(),
-                 [&](Index begin, Index end) { backward_rows<size()>(b, before, x, begin, end); });
+  each_run(threads, [&](auto size, Index begin, Index end) {
+    backward_rows<size()>(b, before, x, begin, end);
   });
 }
 
 void GaussSeidel::defect(std::span<const Real> b, std::span<const Real> x, std::span<Real> r,
                          int threads) const {
   const SparsityPattern& p = *pattern_;
-  with_block(block_, [&](auto size) {
+  each_run(threads, [&](auto size, Index begin, Index end) {
     constexpr int B = size();
-    parallel_for(worthwhile(threads, values_.size()), p.rows(), [&](Index begin, Index end) {
-      for (auto i = at(begin); i < at(end); ++i) {
-        Real sum[B];
-        product<B>(p.offsets[i], p.offsets[i + 1], x, sum);
-        for (std::size_t k = 0; k < B; ++k) r[i * B + k] = b[i * B + k] - sum[k];
-      }
-    });
+    for (auto i = at(begin); i < at(end); ++i) {
+      Real sum[B];
+      product<B>(p.offsets[i], p.offsets[i + 1], x, sum);
+      for (std::size_t k = 0; k < B; ++k) r[i * B + k] = b[i * B + k] - sum[k];
+    }
   });
 }
 

@@ -31,6 +31,8 @@ class GaussSeidel {
               int threads) const;
 
  private:
+  template <typename Visit>
+  void each_run(int threads, Visit&& visit) const;
   /// Row i of A times x over the entries [first, last) of the matrix.
   template <int B>
   void product(Index first, Index last, std::span<const Real> x, Real* out) const;

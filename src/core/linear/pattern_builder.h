@@ -12,8 +12,7 @@ namespace winslow {
 template <typename BeginBlock>
 std::shared_ptr<SparsityPattern> build_pattern(Index rows, Index block, int threads,
                                                const BeginBlock& begin_block) {
-  const auto blocks = at((rows + block - 1) / block);
-  std::vector<SparsityPattern> parts(blocks);
+  std::vector<SparsityPattern> parts(block_count(rows, block));
   parallel_for(
       threads, rows,
       [&](Index begin, Index end) {

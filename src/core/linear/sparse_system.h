@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -14,6 +15,12 @@ struct SparsityPattern {
   std::vector<Index> diagonal;  ///< position of the diagonal entry of each row
 
   Index rows() const { return static_cast<Index>(offsets.size()) - 1; }
+  /// Position of the entry of a row in a column that it has.
+  Index find(Index row, Index column) const {
+    const auto first = columns.begin() + offsets[at(row)];
+    const auto last = columns.begin() + offsets[at(row) + 1];
+    return static_cast<Index>(std::lower_bound(first, last, column) - columns.begin());
+  }
 };
 
 /// A square matrix of dense blocks. The pattern is that of the blocks, so `block` unknowns belong

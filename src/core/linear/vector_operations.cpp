@@ -14,7 +14,7 @@ namespace {
 template <typename Body>
 double blocked_sum(int threads, std::size_t numbers, Index n, Body&& body) {
   if (n <= parallel_block) return body(Index{0}, n);
-  std::vector<double> sums(at((n + parallel_block - 1) / parallel_block), 0.0);
+  std::vector<double> sums(block_count(n), 0.0);
   parallel_for(worthwhile(threads, numbers), n, [&](Index begin, Index end) {
     sums[at(begin / parallel_block)] = body(begin, end);
   });

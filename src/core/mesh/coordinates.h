@@ -29,6 +29,10 @@ class Coordinates {
     return static_cast<Index>(values_.size() / static_cast<std::size_t>(dimension_));
   }
   bool empty() const { return values_.empty(); }
+  /// Whether others are of as many nodes in the same dimension.
+  bool alike(const Coordinates& other) const {
+    return dimension_ == other.dimension_ && values_.size() == other.values_.size();
+  }
 
   Vec2 xy(Index node) const { return get<2>(node); }
   void set_xy(Index node, const Vec2& p) { set<2>(node, p); }
@@ -108,11 +112,28 @@ class Points {
 using PlanePoints = Points<2>;
 using SpacePoints = Points<3>;
 
+/// Calls visit(PlanePoints) or visit(SpacePoints) with the points of x, for code of either
+/// dimension:
+///
+///     in_dimension(x, [&]<int D>(const Points<D>& points) { sum += points[node].norm(); });
+template <typename Visit>
+decltype(auto) in_dimension(const Coordinates& x, Visit&& visit) {
+  if (x.dimension() == 3) return visit(SpacePoints(x));
+  return visit(PlanePoints(x));
+}
+
 /// Where a node is, in space: a node of a plane mesh lies in the plane z = 0.
 inline Vec3 place_of(const Coordinates& x, Index node) {
   if (x.dimension() == 3) return x.xyz(node);
   const Vec2 p = x.xy(node);
   return {p.x(), p.y(), 0};
+}
+
+/// Puts a node at a place of space, one of a plane mesh below or above it.
+inline void set_place(Coordinates& x, Index node, const Vec3& place) {
+  const auto dimension = static_cast<std::size_t>(x.dimension());
+  for (std::size_t k = 0; k < dimension; ++k)
+    x.values()[static_cast<std::size_t>(node) * dimension + k] = place[static_cast<Index>(k)];
 }
 
 /// "(0.25, -1.5)": a point for messages, in six significant digits; far from the origin in more, so

@@ -75,6 +75,11 @@ void require_plane(const Topology& topology, std::string_view what) {
                    std::string(mesh_kind(topology)));
 }
 
+void require_volume(const Topology& topology, std::string_view found) {
+  if (topology.cell_dimension() == 3) return;
+  throw UsageError(std::string(found) + std::string(mesh_kind(topology)));
+}
+
 std::vector<Face> node_link(const Topology& topology, Index node) {
   std::vector<Face> link;
   link.reserve(topology.star(node).size());

@@ -136,6 +136,18 @@ inline bool is_surface(const Topology& topology) {
 std::string_view mesh_kind(const Topology& topology);
 /// Throws UsageError unless it is a plane mesh. what: "layers", as the message is to begin.
 void require_plane(const Topology& topology, std::string_view what);
+/// Throws UsageError unless it is a volume mesh. found: as the message is to begin, mesh_kind()
+/// follows.
+void require_volume(const Topology& topology, std::string_view found);
+
+/// Calls visit(2) of a plane mesh and visit(3) of a volume mesh, the numbers as
+/// std::integral_constant. Throws as require_plane() for a surface mesh.
+template <typename Visit>
+decltype(auto) in_dimension(const Topology& topology, std::string_view what, Visit&& visit) {
+  if (topology.cell_dimension() == 3) return visit(std::integral_constant<int, 3>());
+  require_plane(topology, what);
+  return visit(std::integral_constant<int, 2>());
+}
 
 /// What a mesh is made of: faces in the plane, faces in space, cells in space. In words:
 /// mesh_kind().

@@ -199,7 +199,8 @@ class ContactSearch {
   /// Calls `visit(nodes, marker)` with the facets that a moving facet within that box may meet,
   /// until it returns true.
   template <class Visit>
-  bool any_near(std::size_t e, const Box<D>& box, const Positions& at, const Visit& visit) const {
+  bool any_near(std::size_t e, const Box<D>& box, const Positions& positions,
+                const Visit& visit) const {
     const FacetNodes<D>& own = outline_.moving.facets[e];
     bool found = false;
     fixed_.overlapping(box, [&](Index f) {
@@ -207,7 +208,7 @@ class ContactSearch {
       const FacetNodes<D>& other = outline_.fixed.facets[k];
       if (!found && eligible(own, other)) found = visit(other, outline_.fixed.markers[k]);
     });
-    at.joints().overlapping(box, [&](Index k) {
+    positions.joints().overlapping(box, [&](Index k) {
       const std::size_t j = outline_.joints[static_cast<std::size_t>(k)];
       const FacetNodes<D>& other = outline_.moving.facets[j];
       if (!found && eligible(own, other)) found = visit(other, outline_.moving.markers[j]);
@@ -240,13 +241,13 @@ class ContactSearch {
   }
 
   /// The first of some of the moving facets that meets another facet.
-  std::optional<EdgePair> meeting_of(const Positions& at,
+  std::optional<EdgePair> meeting_of(const Positions& positions,
                                      std::span<const std::size_t> facets) const {
-    const Coordinates& x = at.x();
+    const Coordinates& x = positions.x();
     std::optional<EdgePair> pair;
     for (const std::size_t e : facets) {
       const Box<D> box = box_of<D>(facet(outline_.moving.facets[e], x));
-      any_near(e, box, at, [&](const FacetNodes<D>& other, Index marker) {
+      any_near(e, box, positions, [&](const FacetNodes<D>& other, Index marker) {
         pair = pair_if_meeting(x, e, other, marker);
         return pair.has_value();
       });
@@ -265,9 +266,9 @@ class ContactSearch {
   }
 
   std::optional<EdgePair> meeting_at(double fraction) const {
-    const Positions at(*this, fraction);
-    if (auto pair = meeting_of(at, all_moving())) return pair;
-    return rigid_ ? std::nullopt : meeting_of_itself(at.x());
+    const Positions positions(*this, fraction);
+    if (auto pair = meeting_of(positions, all_moving())) return pair;
+    return rigid_ ? std::nullopt : meeting_of_itself(positions.x());
   }
 
   /// The box that a facet sweeps, from three positions: the arc between them is no farther out than
@@ -412,17 +413,15 @@ std::optional<Gap> gap_of(const Topology& topology, const Coordinates& x,
 
 std::optional<Contact> find_contact(const Topology& topology, const Coordinates& rest,
                                     const Motion& motion, std::span<const Index> yielding) {
-  if (topology.cell_dimension() == 3)
-    return ContactSearch<3>(topology, rest, motion, yielding).first();
-  require_plane(topology, "motions");
-  return ContactSearch<2>(topology, rest, motion, yielding).first();
+  return in_dimension(topology, "motions", [&](auto dim) {
+    return ContactSearch<dim()>(topology, rest, motion, yielding).first();
+  });
 }
 
 std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,
                                 std::span<const Index> moving, std::span<const Index> yielding) {
-  if (topology.cell_dimension() == 3) return gap_of<3>(topology, x, moving, yielding);
-  require_plane(topology, "motions");
-  return gap_of<2>(topology, x, moving, yielding);
+  return in_dimension(topology, "motions",
+                      [&](auto dim) { return gap_of<dim()>(topology, x, moving, yielding); });
 }
 
 std::optional<Gap> smallest_gap(const Topology& topology, const Coordinates& x,

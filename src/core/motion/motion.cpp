@@ -4,6 +4,8 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "core/mesh/mesh.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
 
@@ -87,64 +89,38 @@ std::string marker_at(const Topology& topology, const std::vector<std::string>& 
 }
 
 /// A node of two bodies stays one node: both have to take it along the same arc.
-class SharedNodes {
- public:
-  SharedNodes(const Topology& topology, const Coordinates& rest, std::span<const MovingBody> bodies,
-              std::span<const std::unique_ptr<Motion>> motions)
-      : topology_(topology), rest_(rest), bodies_(bodies), motions_(motions) {}
-
-  void require_together() const {
-    for (std::size_t b = 1; b < motions_.size(); ++b)
-      for (std::size_t a = 0; a < b; ++a) require_together(a, b);
+void require_together(const Topology& topology, const Coordinates& rest,
+                      std::array<const MovingBody*, 2> bodies,
+                      std::array<const Motion*, 2> motions) {
+  std::vector<Index> shared;
+  std::ranges::set_intersection(motions[0]->nodes(), motions[1]->nodes(),
+                                std::back_inserter(shared));
+  if (shared.empty()) return;
+  constexpr double relative = 1e-9;  // of rounding errors
+  const double least = relative * body_box(rest, motions[1]->nodes()).size().norm();
+  // Arcs that meet at four fractions are the same.
+  for (const double fraction : {0.25, 0.5, 0.75, 1.0}) {
+    Coordinates by_one = rest, by_other = rest;
+    motions[0]->apply(rest, fraction, by_one);
+    motions[1]->apply(rest, fraction, by_other);
+    for (const Index node : shared)
+      if ((place_of(by_one, node) - place_of(by_other, node)).norm() > least)
+        throw UsageError("the markers " + marker_at(topology, bodies[0]->markers, node) + " and " +
+                         marker_at(topology, bodies[1]->markers, node) + " share node " +
+                         std::to_string(node) + ", which their motions take to different places");
   }
-
- private:
-  void require_together(std::size_t a, std::size_t b) const {
-    std::vector<Index> shared;
-    std::ranges::set_intersection(motions_[a]->nodes(), motions_[b]->nodes(),
-                                  std::back_inserter(shared));
-    if (shared.empty()) return;
-    constexpr double relative = 1e-9;  // of rounding errors
-    const double least = relative * body_box(rest_, motions_[b]->nodes()).size().norm();
-    // Arcs that meet at four fractions are the same.
-    for (const double fraction : {0.25, 0.5, 0.75, 1.0}) {
-      Coordinates by_a = rest_, by_b = rest_;
-      motions_[a]->apply(rest_, fraction, by_a);
-      motions_[b]->apply(rest_, fraction, by_b);
-      for (const Index node : shared)
-        if (distance(by_a, by_b, node) > least) refuse(a, b, node);
-    }
-  }
-
-  static double distance(const Coordinates& x, const Coordinates& y, Index node) {
-    return x.dimension() == 3 ? (x.xyz(node) - y.xyz(node)).norm()
-                              : (x.xy(node) - y.xy(node)).norm();
-  }
-
-  [[noreturn]] void refuse(std::size_t a, std::size_t b, Index node) const {
-    throw UsageError("the markers " + marker_at(topology_, bodies_[a].markers, node) + " and " +
-                     marker_at(topology_, bodies_[b].markers, node) + " share node " +
-                     std::to_string(node) + ", which their motions take to different places");
-  }
-
-  const Topology& topology_;
-  const Coordinates& rest_;
-  std::span<const MovingBody> bodies_;
-  std::span<const std::unique_ptr<Motion>> motions_;
-};
+}
 
 }  // namespace
 
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const RigidMotion& options) {
-  const bool volume = topology.cell_dimension() == 3;
-  if (!volume) require_plane(topology, "rigid motions");
-  std::vector<Index> nodes = moving_nodes(topology, markers);
-  const RigidMotion motion =
-      resolve_motion(options, volume ? 3 : 2, body_centre(body_box(rest, nodes)));
-  if (volume) return std::make_unique<Rigid<3>>(std::move(nodes), motion);
-  return std::make_unique<Rigid<2>>(std::move(nodes), motion);
+  return in_dimension(topology, "rigid motions", [&](auto dim) -> std::unique_ptr<Motion> {
+    std::vector<Index> nodes = moving_nodes(topology, markers);
+    const RigidMotion motion = resolve_motion(options, dim, body_centre(body_box(rest, nodes)));
+    return std::make_unique<Rigid<dim()>>(std::move(nodes), motion);
+  });
 }
 
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
@@ -155,7 +131,10 @@ std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates&
   for (const MovingBody& body : bodies)
     motions.push_back(make_motion(topology, rest, body.markers, body.motion));
   if (motions.size() == 1) return std::move(motions.front());
-  SharedNodes(topology, rest, bodies, motions).require_together();
+  for (std::size_t b = 1; b < motions.size(); ++b)
+    for (std::size_t a = 0; a < b; ++a)
+      require_together(topology, rest, {&bodies[a], &bodies[b]},
+                       {motions[a].get(), motions[b].get()});
   return std::make_unique<Bodies>(std::move(motions));
 }
 
@@ -238,6 +217,205 @@ OptionTable option_table(SineDeformation& sine) {
        .help = "Share of the body's length over which it fades",
        .applies = sine.fade != Fade::none},
   };
+}
+
+namespace {
+
+/// Displacements known once and for all, applied in proportion.
+template <int D>
+class Displaced final : public Motion {
+ public:
+  Displaced(std::vector<Index> nodes, std::vector<Vec<D>> displacements)
+      : nodes_(std::move(nodes)), displacements_(std::move(displacements)) {}
+  std::span<const Index> nodes() const override { return nodes_; }
+  void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const Vec<D> place = rest.get<D>(nodes_[i]) + fraction * displacements_[i];
+      out.set<D>(nodes_[i], place);
+    }
+  }
+
+ private:
+  std::vector<Index> nodes_;
+  std::vector<Vec<D>> displacements_;
+};
+
+/// 0 at t <= 0, 1 at t >= 1, with continuous slope.
+double smooth_step(double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+double fade_factor(const SineDeformation& options, double s) {
+  double factor = 1;
+  if (options.fade == Fade::start || options.fade == Fade::both) {
+    factor *= smooth_step(s / options.fade_length);
+  }
+  if (options.fade == Fade::end || options.fade == Fade::both) {
+    factor *= smooth_step((1 - s) / options.fade_length);
+  }
+  return factor;
+}
+
+/// The direction of the displacement and the way in which the sine runs, of length 1.
+template <int D>
+std::pair<Vec<D>, Vec<D>> directions_of(const SineDeformation& options);
+
+template <>
+std::pair<Vec3, Vec3> directions_of<3>(const SineDeformation& options) {
+  const Vec3& direction = options.direction;
+  if (options.along) {
+    require_finite(options.along->sum(), "the way along which the sine runs");
+    if (options.along->norm() == 0) throw UsageError("the way along which the sine runs is zero");
+    return {direction.normalized(), options.along->normalized()};
+  }
+  const Vec3 across = direction.cross(Vec3::UnitZ());
+  constexpr double least = 1e-9;
+  if (across.norm() <= least * direction.norm())
+    throw UsageError("a sine whose direction is that of z needs a way along which it runs (along)");
+  return {direction.normalized(), across.normalized()};
+}
+
+template <>
+std::pair<Vec2, Vec2> directions_of<2>(const SineDeformation& options) {
+  if (options.along || options.direction.leaves_plane())
+    throw UsageError(
+        "a way along which a sine runs or a third component: only for a volume mesh, and this is a "
+        "plane mesh");
+  const Vec2 direction = Vec2(options.direction.head<2>()).normalized();
+  return {direction, Vec2(direction.y(), -direction.x())};
+}
+
+template <int D>
+std::unique_ptr<Motion> sine_motion(std::vector<Index> nodes, const Coordinates& rest,
+                                    const SineDeformation& options) {
+  const auto [direction, along] = directions_of<D>(options);
+  double low = along.dot(rest.get<D>(nodes.front())), high = low;
+  for (const Index node : nodes) {
+    low = std::min(low, along.dot(rest.get<D>(node)));
+    high = std::max(high, along.dot(rest.get<D>(node)));
+  }
+  if (!(high > low)) throw UsageError("the chosen markers have no extent across the direction");
+  std::vector<Vec<D>> displacements;
+  displacements.reserve(nodes.size());
+  for (const Index node : nodes) {
+    const double s = (along.dot(rest.get<D>(node)) - low) / (high - low);
+    const double height =
+        options.amplitude * fade_factor(options, s) * std::sin(2 * pi * options.waves * s);
+    displacements.emplace_back(height * direction);
+  }
+  return std::make_unique<Displaced<D>>(std::move(nodes), std::move(displacements));
+}
+
+/// Matches entries given by position to nodes: the nearest within a tolerance.
+template <int D>
+class NodeFinder {
+ public:
+  NodeFinder(const Coordinates& x, const std::vector<Index>& nodes) : nodes_(nodes) {
+    std::vector<Vec<D>> places;
+    places.reserve(nodes.size());
+    Box<D> box = Box<D>::empty();
+    for (const Index node : nodes) {
+      places.push_back(x.get<D>(node));
+      box.add(places.back());
+    }
+    tree_ = BoxTree<D>(places);
+    // Files written with six or seven digits must match.
+    constexpr double relative = 1e-6;
+    tolerance_ = relative * box.size().maxCoeff();
+  }
+
+  std::optional<Index> find(const Vec<D>& p) const {
+    const auto found = tree_.nearest(p, tolerance_);
+    if (!found) return std::nullopt;
+    return nodes_[static_cast<std::size_t>(found->item)];
+  }
+
+ private:
+  const std::vector<Index>& nodes_;
+  BoxTree<D> tree_;  // of nodes_
+  double tolerance_ = 0;
+};
+
+std::string place_of_entry(const DisplacementEntry& entry) {
+  const GivenVector& p = entry.position;
+  std::string text = "position (" + std::to_string(p.x()) + ", " + std::to_string(p.y());
+  if (p.numbers(2) == 3) text += ", " + std::to_string(p.z());
+  return text + ")";
+}
+
+[[noreturn]] void refuse_entry(const DisplacementTable& table, std::size_t k,
+                               const std::string& why) {
+  const DisplacementEntry& entry = table.entries[k];
+  const std::string file = table.source.empty() ? "displacements" : table.source;
+  const std::string line = entry.line > 0 ? ":" + std::to_string(entry.line) : "";
+  const std::string who =
+      entry.node ? "node " + std::to_string(*entry.node) : place_of_entry(entry);
+  throw UsageError(file + line + ": " + who + " " + why);
+}
+
+/// Something of an entry. Throws UsageError for a component too few.
+template <int D>
+Vec<D> components(const DisplacementTable& table, std::size_t k, const GivenVector& given,
+                  const char* missing) {
+  if (given.numbers(D) < D)
+    refuse_entry(table, k,
+                 std::string("has no ") + missing +
+                     ": found a table for plane meshes, expected node,dx,dy,dz or x,y,z,dx,dy,dz");
+  return given.head<D>();
+}
+
+template <int D>
+std::unique_ptr<Motion> table_motion(std::vector<Index> nodes, const Coordinates& rest,
+                                     const DisplacementTable& table) {
+  const NodeFinder<D> finder(rest, nodes);
+  std::vector<Vec<D>> displacements(nodes.size(), Vec<D>::Zero());
+  std::vector<unsigned char> given(nodes.size(), 0);
+  for (std::size_t k = 0; k < table.entries.size(); ++k) {
+    const DisplacementEntry& entry = table.entries[k];
+    const Vec<D> displacement = components<D>(table, k, entry.displacement, "dz");
+    if (!displacement.allFinite()) {
+      refuse_entry(table, k, "has a displacement that is not finite");
+    }
+    std::optional<Index> node = entry.node;
+    if (!node) node = finder.find(components<D>(table, k, entry.position, "z"));
+    if (!node) refuse_entry(table, k, "matches no node of the chosen markers");
+    const auto it = std::lower_bound(nodes.begin(), nodes.end(), *node);
+    if (it == nodes.end() || *it != *node) {
+      refuse_entry(table, k, "does not belong to the chosen markers");
+    }
+    const auto i = static_cast<std::size_t>(it - nodes.begin());
+    if (given[i]) refuse_entry(table, k, "is given twice");
+    given[i] = 1;
+    displacements[i] = displacement;
+  }
+  return std::make_unique<Displaced<D>>(std::move(nodes), std::move(displacements));
+}
+
+}  // namespace
+
+std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
+                                    const std::vector<std::string>& markers,
+                                    const SineDeformation& options) {
+  return in_dimension(topology, "sine deformations", [&](auto dim) {
+    require_finite(options.amplitude, "the amplitude");
+    require_finite(options.waves, "the number of waves");
+    require_finite(options.direction.sum(), "the direction");
+    if (options.direction.norm() == 0) throw UsageError("the direction of the sine is zero");
+    if (!(options.fade_length > 0 && options.fade_length <= 0.5))
+      throw UsageError("the fade length is not in (0, 0.5]");
+    return sine_motion<dim()>(moving_nodes(topology, markers), rest, options);
+  });
+}
+
+std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
+                                    const std::vector<std::string>& markers,
+                                    const DisplacementTable& table) {
+  return in_dimension(topology, "displacements", [&](auto dim) {
+    std::vector<Index> nodes = moving_nodes(topology, markers);
+    if (table.entries.empty()) throw UsageError("the displacement table is empty");
+    return table_motion<dim()>(std::move(nodes), rest, table);
+  });
 }
 
 }  // namespace winslow

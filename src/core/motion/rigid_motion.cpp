@@ -51,8 +51,8 @@ Centres<D> centres_of(std::span<const Index> nodes, const Points<D>& from, const
 }
 
 /// The orthogonal Procrustes problem in the plane.
-RigidMotion fit_in_plane(std::span<const Index> nodes, const PlanePoints& from,
-                         const PlanePoints& to) {
+RigidMotion fit(std::span<const Index> nodes, const PlanePoints& from, const PlanePoints& to) {
+  if (nodes.empty()) return {};
   const Centres<2> centres = centres_of<2>(nodes, from, to);
   double cosine = 0, sine = 0;
   for (const Index node : nodes) {
@@ -65,8 +65,8 @@ RigidMotion fit_in_plane(std::span<const Index> nodes, const PlanePoints& from,
           .translate = Vec2(centres.after - centres.before)};
 }
 
-RigidMotion fit_in_space(std::span<const Index> nodes, const SpacePoints& from,
-                         const SpacePoints& to) {
+RigidMotion fit(std::span<const Index> nodes, const SpacePoints& from, const SpacePoints& to) {
+  if (nodes.empty()) return {.axis = Vec3::UnitZ()};
   const Centres<3> centres = centres_of<3>(nodes, from, to);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (const Index node : nodes)
@@ -173,12 +173,8 @@ RigidMotion inverse(const RigidMotion& motion) {
 
 RigidMotion fit_rigid_motion(std::span<const Index> nodes, const Coordinates& from,
                              const Coordinates& to) {
-  if (from.dimension() == 3) {
-    if (nodes.empty()) return {.axis = Vec3::UnitZ()};
-    return fit_in_space(nodes, SpacePoints(from), SpacePoints(to));
-  }
-  if (nodes.empty()) return {};
-  return fit_in_plane(nodes, PlanePoints(from), PlanePoints(to));
+  return in_dimension(
+      from, [&]<int D>(const Points<D>& before) { return fit(nodes, before, Points<D>(to)); });
 }
 
 RigidMotion with_turns(RigidMotion fitted, const RigidMotion& other, double degrees) {
@@ -210,9 +206,10 @@ Vec3 body_centre(const Box<3>& box) {
 }
 
 Box<3> body_box(const Coordinates& x, std::span<const Index> nodes) {
-  if (x.dimension() == 3) return space_bounds(x, nodes);
-  const Bounds box = bounds(x, nodes);
-  return {{box.min.x(), box.min.y(), 0}, {box.max.x(), box.max.y(), 0}};
+  if (nodes.empty()) throw UsageError("bounds of no nodes");
+  Box<3> box = Box<3>::empty();
+  for (const Index node : nodes) box.add(place_of(x, node));
+  return box;
 }
 
 }  // namespace winslow

@@ -1,8 +1,7 @@
 #include "core/motion/transfer.h"
 
-#include <Eigen/Geometry>
-
 #include "core/motion/rigid_motion.h"
+#include "core/quality/quality.h"
 
 namespace winslow {
 
@@ -66,26 +65,105 @@ class StraightTransfer final : public Motion {
   Coordinates target_;
 };
 
-std::unique_ptr<Motion> make_straight(const NodeClasses& classes, const Coordinates& from,
-                                      const Coordinates& to) {
-  std::vector<Index> nodes;
-  for (Index node = 0; node < from.size(); ++node) {
-    if (!classes.moves(node) && !from.same_place(node, to)) nodes.push_back(node);
-  }
-  return std::make_unique<StraightTransfer>(std::move(nodes), to);
-}
-
 }  // namespace
 
 std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordinates& from,
                                       const Coordinates& to) {
-  if (from.dimension() == 3) return make_straight(classes, from, to);
-  require_plane(classes.topology(), "motions");
   std::vector<Index> nodes;
-  for (Index node = 0; node < from.size(); ++node) {
-    if (!classes.moves(node) && from.xy(node) != to.xy(node)) nodes.push_back(node);
-  }
+  for (Index node = 0; node < from.size(); ++node)
+    if (!classes.moves(node) && !from.same_place(node, to)) nodes.push_back(node);
+  if (from.dimension() == 3) return std::make_unique<StraightTransfer>(std::move(nodes), to);
   return std::make_unique<Transfer>(std::move(nodes), from, to);
+}
+
+namespace {
+
+constexpr double degrees_per_frame = 1;
+constexpr double moved_per_frame = 0.02;  // of the extent of the moved nodes
+constexpr int most_frames = 90;
+
+/// A body on its way from one mesh to another.
+template <int D>
+class Way {
+ public:
+  Way(std::span<const Index> nodes, const Coordinates& from, const Coordinates& to)
+      : whole_(fit_rigid_motion(nodes, from, to)) {
+    Box<D> box = Box<D>::empty();
+    for (const Index node : nodes) box.add(from.get<D>(node));
+    centre_ = box.centre();
+    extent_ = box.size().norm();
+    way_ = transform(whole_, centre_) - centre_;
+    part_ = whole_;
+  }
+
+  int frames() const {
+    const double by_way = extent_ > 0 ? way_.norm() / (moved_per_frame * extent_) : 0;
+    const double wanted = std::max(std::abs(whole_.rotate) / degrees_per_frame, by_way);
+    return static_cast<int>(std::ceil(std::min(wanted, static_cast<double>(most_frames)) - 1e-9));
+  }
+
+  /// Goes on to a share of the motion: of the angle and of the way of its centre.
+  void go_to(double share) {
+    part_ = whole_;
+    part_.rotate *= share;
+    part_.pivot = centre_;
+    part_.translate = Vec<D>(share * way_);
+  }
+  /// How much of the body's motion a node that goes from a to b makes: 0 (none) to 1 (all of it).
+  double share_of(const Vec<D>& a, const Vec<D>& b) const {
+    const double stays = (b - a).norm(), goes = (b - transform(whole_, a)).norm();
+    return stays + goes > 0 ? stays / (stays + goes) : 0;
+  }
+  /// Where the body carries a node that goes from a to b, after a share of the motion.
+  Vec<D> carried(const Vec<D>& a, const Vec<D>& b, double share) const {
+    const Vec<D> back = transform_back(whole_, b);
+    return transform(part_, Vec<D>(a + share * (back - a)));
+  }
+
+ private:
+  RigidMotion whole_, part_;
+  Vec<D> centre_, way_;
+  double extent_ = 0;
+};
+
+template <int D>
+std::vector<Coordinates> between(const Topology& topology,
+                                 std::span<const std::vector<Index>> bodies,
+                                 const Coordinates& from, const Coordinates& to) {
+  std::vector<Way<D>> ways;
+  int frames = 0;
+  for (const std::vector<Index>& nodes : bodies) {
+    if (nodes.empty()) continue;
+    frames = std::max(frames, ways.emplace_back(nodes, from, to).frames());
+  }
+  std::vector<Coordinates> meshes;
+  for (int k = 1; k < frames; ++k) {
+    const double t = static_cast<double>(k) / frames;
+    for (Way<D>& way : ways) way.go_to(t);
+    Coordinates x = from;
+    for (Index i = 0; i < x.size(); ++i) {
+      const Vec<D> a = from.get<D>(i), b = to.get<D>(i);
+      const auto leader =
+          std::ranges::max_element(ways, {}, [&](const Way<D>& way) { return way.share_of(a, b); });
+      // Straight for what stays, with the body for what goes along: thin layers at a body that
+      // turns would be crushed by straight lines.
+      const Vec<D> straight = a + t * (b - a);
+      const Vec<D> carried = leader->carried(a, b, t);
+      x.set<D>(i, straight + leader->share_of(a, b) * (carried - straight));
+    }
+    if (check_validity(topology, x).inverted == 0) meshes.push_back(std::move(x));
+  }
+  return meshes;
+}
+
+}  // namespace
+
+std::vector<Coordinates> meshes_between(const Topology& topology,
+                                        std::span<const std::vector<Index>> bodies,
+                                        const Coordinates& from, const Coordinates& to) {
+  if (from.size() != to.size()) return {};
+  return in_dimension(
+      from, [&]<int D>(const Points<D>&) { return between<D>(topology, bodies, from, to); });
 }
 
 }  // namespace winslow

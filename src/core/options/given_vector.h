@@ -32,7 +32,10 @@ class GivenVector : public Vec3 {
   }
   /// That vector, by as many numbers as the mesh has dimensions.
   static GivenVector of(int dimension, const Vec3& vector) {
-    return dimension == 3 ? of_three(vector) : GivenVector(vector.head<2>());
+    GivenVector given(vector);
+    given.tail(3 - dimension).setZero();
+    given.numbers_ = dimension;
+    return given;
   }
 
   template <class Derived>

@@ -10,38 +10,42 @@ namespace winslow {
 
 namespace {
 
-// How each kind of option is typed.
-std::string text_of(const RealOption& real) { return number_text(*real.value); }
-std::string text_of(const OptionalRealOption& real) {
-  return *real.value ? number_text(**real.value) : "";
+// How each kind of value is typed.
+std::string text_of(double number) { return number_text(number); }
+std::string text_of(int number) { return std::to_string(number); }
+std::string text_of(std::uint64_t number) { return std::to_string(number); }
+std::string text_of(bool on) { return on ? "true" : "false"; }
+std::string text_of(const std::string& name) { return name; }
+template <class Value>
+std::string text_of(const std::optional<Value>& value) {
+  return value ? text_of(*value) : "";
 }
-std::string text_of(const IntegerOption& integer) { return std::to_string(*integer.value); }
-std::string text_of(const SeedOption& seed) { return std::to_string(*seed.value); }
+template <class Value>
+std::string text_of(const std::vector<Value>& list) {
+  std::string text;
+  for (const Value& value : list) text += (text.empty() ? "" : ", ") + text_of(value);
+  return text;
+}
 std::string text_of(const Vec3& vector, int numbers) {
   std::string text = number_text(vector.x()) + ' ' + number_text(vector.y());
   return numbers == 3 ? text + ' ' + number_text(vector.z()) : text;
 }
+
+// How each kind of option is.
+template <class Simple>
+std::string text_of(const Simple& option) requires requires {
+  option.value;
+}
+{ return text_of(*option.value); }
 std::string text_of(const VectorOption& vector) {
   return text_of(*vector.value, vector.value->numbers(vector.numbers));
 }
 std::string text_of(const OptionalVectorOption& vector) {
   return *vector.value ? text_of(**vector.value, (*vector.value)->numbers(vector.numbers)) : "";
 }
-std::string text_of(const NamesOption& names) {
-  std::string text;
-  for (const std::string& name : *names.value) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-std::string text_of(const NodesOption& nodes) {
-  std::string text;
-  for (const Index node : *nodes.value) text += (text.empty() ? "" : ", ") + std::to_string(node);
-  return text;
-}
-std::string text_of(const FileOption& file) { return *file.value; }
 std::string text_of(const SpaceVectorOption& vector) {
   return *vector.value ? text_of(**vector.value, 3) : "";
 }
-std::string text_of(const SwitchOption& on) { return *on.value ? "true" : "false"; }
 std::string text_of(const ChoiceOption& choice) { return choice.name(); }
 std::string text_of(const SharesOption& shares) {
   std::string text;
@@ -53,20 +57,15 @@ std::string text_of(const SharesOption& shares) {
   return text;
 }
 
-// What each kind takes.
-std::string expected_of(const RealOption& real) { return real.range.text(); }
-std::string expected_of(const OptionalRealOption& real) { return real.range.text(); }
-std::string expected_of(const IntegerOption& integer) { return integer.range.text(); }
-std::string expected_of(const SeedOption&) { return at_least(0).text(); }
-std::string expected_of(const VectorOption&) { return ""; }
-std::string expected_of(const OptionalVectorOption&) { return ""; }
-std::string expected_of(const SpaceVectorOption&) { return ""; }
-std::string expected_of(const NamesOption&) { return ""; }
-std::string expected_of(const NodesOption&) { return at_least(0).text(); }
-std::string expected_of(const FileOption&) { return ""; }
-std::string expected_of(const SwitchOption&) { return ""; }
-std::string expected_of(const ChoiceOption& choice) { return choice.names(); }
-std::string expected_of(const SharesOption&) { return at_least(0).text(); }
+/// What each kind takes; empty: everything of its kind.
+template <class Kind>
+std::string expected_of(const Kind& option) {
+  if constexpr (requires { option.range; }) return option.range.text();
+  if constexpr (std::is_same_v<Kind, ChoiceOption>) return option.names();
+  constexpr bool counts = std::is_same_v<Kind, SeedOption> || std::is_same_v<Kind, NodesOption> ||
+                          std::is_same_v<Kind, SharesOption>;
+  return counts ? at_least(0).text() : "";
+}
 
 std::string out_of(const Range& range, double found) {
   if (range.holds(found)) return "";
@@ -75,26 +74,31 @@ std::string out_of(const Range& range, double found) {
          (expected.empty() ? "a finite number" : expected);
 }
 
+std::string out_of(const Range& range, const std::optional<double>& found) {
+  return found ? out_of(range, *found) : "";
+}
+
 // What is wrong with the value of each kind; empty: nothing.
-std::string wrong_with(const RealOption& real) { return out_of(real.range, *real.value); }
-std::string wrong_with(const OptionalRealOption& real) {
-  return *real.value ? out_of(real.range, **real.value) : "";
-}
-std::string wrong_with(const IntegerOption& integer) {
-  return out_of(integer.range, *integer.value);
-}
-std::string wrong_with(const SeedOption&) { return ""; }
 std::string wrong_with(const Vec3& vector) {
   for (const double component : vector)
     if (std::string fault = out_of({}, component); !fault.empty()) return fault;
   return "";
 }
-std::string wrong_with(const VectorOption& vector) { return wrong_with(*vector.value); }
-std::string wrong_with(const OptionalVectorOption& vector) {
-  return *vector.value ? wrong_with(**vector.value) : "";
+template <class Vector>
+std::string wrong_with(const std::optional<Vector>& vector) {
+  return vector ? wrong_with(*vector) : "";
 }
-std::string wrong_with(const SpaceVectorOption& vector) {
-  return *vector.value ? wrong_with(**vector.value) : "";
+template <class Kind>
+std::string wrong_with(const Kind& option) requires requires {
+  option.value;
+}
+{
+  if constexpr (requires { option.range; })
+    return out_of(option.range, *option.value);
+  else if constexpr (requires { wrong_with(*option.value); })
+    return wrong_with(*option.value);
+  else
+    return "";
 }
 std::string wrong_with(const NamesOption& names) {
   if (!names.pairs || names.value->size() % 2 == 0) return "";
@@ -105,8 +109,6 @@ std::string wrong_with(const NodesOption& nodes) {
     if (std::string fault = out_of(at_least(0), node); !fault.empty()) return fault;
   return "";
 }
-std::string wrong_with(const FileOption&) { return ""; }
-std::string wrong_with(const SwitchOption&) { return ""; }
 std::string wrong_with(const ChoiceOption& choice) {
   if (choice.chosen() < choice.items().size()) return "";
   return "found \"" + choice.name() + "\", expected one of " + choice.names();
@@ -207,6 +209,11 @@ std::string expected_text(const Option& option) {
 
 std::string fault_of(const Option& option) {
   return std::visit([](const auto& of) { return wrong_with(of); }, option.value);
+}
+
+OptionTable joined(OptionTable first, OptionTable second) {
+  std::ranges::move(second, std::back_inserter(first));
+  return first;
 }
 
 void check(const OptionTable& table) {

@@ -172,6 +172,8 @@ struct Option {
 
 /// Rows in the order in which they are shown. Valid for as long as the object they are bound to.
 using OptionTable = std::vector<Option>;
+/// The rows of both, those of the first before those of the second.
+OptionTable joined(OptionTable first, OptionTable second);
 
 std::string flag_of(const Option& option);  ///< "--linear-tolerance"
 std::string path_of(const Option& option);  ///< "linear.tolerance", as in messages and recipes

@@ -41,15 +41,13 @@ double EnergyNewton::forcing() const {
 }
 
 void EnergyNewton::assess(const Coordinates& x) {
-  record_.inverted = validity_.inverted;
-  record_.min_sine = validity_.min_sine;
+  record(validity_);
   record_.residual = problem_->residual(x, {}).max;
   round_off_ = problem_->residual_round_off(x);
 }
 
 IterationRecord EnergyNewton::start(const Coordinates& x) {
-  record_ = {};
-  record_.damping = 1;
+  begin_record(1);
   stalled_ = false;
   reached_.clear();
   energy_ = problem_->energy(x);
@@ -168,15 +166,6 @@ bool EnergyNewton::search(Coordinates& x, double slope, double shortest) {
   return false;
 }
 
-/// False if no step leads down.
-bool EnergyNewton::search_down(Coordinates& x, double slope) {
-  const auto from_x = [&](double down, double shortest) { return search(x, down, shortest); };
-  return from_x(slope, shortest_step) ||
-         search_without_stuck_nodes(
-             problem_, x, direction_, slope, [&] { pass_checkpoint(); },
-             [&] { return solve_for_direction(x); }, from_x);
-}
-
 /// A step of a share t lowers the energy by about t of the slope where the model holds. Where the
 /// energy has kinks that no held node takes away (folds of a surface between slivers, thousands at
 /// once) a line search goes on for ever, by ever less. So: the steps of a window together have
@@ -200,7 +189,10 @@ IterationRecord EnergyNewton::step(Coordinates& x) {
   linear_.set_tolerance(forcing());
   const double slope = solve_for_direction(x);
   linear_.set_tolerance(tight_);  // over a long way, what else is left exceeds small elements
-  stalled_ = !search_down(x, slope);
+  stalled_ = !search_down(
+      problem_, x, direction_, slope, [&] { pass_checkpoint(); },
+      [&] { return solve_for_direction(x); },
+      [&](double down, double shortest) { return search(x, down, shortest); });
   if (stalled_) record_.damping = record_.largest_move = 0;
   assess(x);
   reached_.push_back({energy_, record_.residual});
@@ -210,16 +202,6 @@ IterationRecord EnergyNewton::step(Coordinates& x) {
 
 bool EnergyNewton::converged() const {
   return record_.residual <= std::max(options_.tolerance, round_off_);
-}
-
-void EnergyNewton::predict(const Coordinates& x, const Coordinates& displacement,
-                           std::span<double> out) {
-  respond(x, displacement, false, out);
-}
-
-void EnergyNewton::predict_and_correct(const Coordinates& x, const Coordinates& displacement,
-                                       std::span<double> out) {
-  respond(x, displacement, true, out);
 }
 
 void EnergyNewton::respond(const Coordinates& x, const Coordinates& displacement, bool correct,

@@ -38,19 +38,14 @@ class EnergyNewton final : public SteadySolver {
   bool stalled() const override { return stalled_; }
   Index stuck_nodes() const override { return problem_->stuck_nodes(); }
 
-  void predict(const Coordinates& x, const Coordinates& displacement,
-               std::span<double> out) override;
-  void predict_and_correct(const Coordinates& x, const Coordinates& displacement,
-                           std::span<double> out) override;
   void reject() override { linearised_.reset(); }
-  int linear_solves() const override { return linear_solves_; }
 
  private:
   double forcing() const;
   /// Whether an element is so near to inversion that only exact solves are to be trusted.
   bool slender() const { return record_.min_sine < 0.1; }
   void respond(const Coordinates& x, const Coordinates& displacement, bool correct,
-               std::span<double> out);
+               std::span<double> out) override;
   bool linearised() const { return linearised_ == problem_; }
   void factorise(const Coordinates& x);
   bool factorise_exact(const Coordinates& x, bool may_raise);
@@ -68,14 +63,12 @@ class EnergyNewton final : public SteadySolver {
   void lengthen(const Coordinates& x, double slope, Trial& trial) const;
   /// False if no step of `shortest` or more leads down.
   bool search(Coordinates& x, double slope, double shortest);
-  bool search_down(Coordinates& x, double slope);
   bool stagnates(double slope) const;
   void assess(const Coordinates& x);
 
   std::shared_ptr<const EnergyProblem> problem_;
   LinearSolver& linear_;
   NewtonOptions options_;
-  IterationRecord record_;
   Validity validity_;  // of the mesh
   SparseMatrix hessian_;
   std::vector<double> residual_, direction_;
@@ -93,7 +86,6 @@ class EnergyNewton final : public SteadySolver {
   Coordinates linearised_at_;
   bool exact_ = true;  // the last factorisation was of the exact Hessian
   bool stalled_ = false;
-  int linear_solves_ = 0;
 };
 
 }  // namespace winslow

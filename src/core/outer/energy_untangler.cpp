@@ -41,9 +41,7 @@ void EnergyUntangler::choose_regularisation(const Coordinates& x) {
 }
 
 void EnergyUntangler::assess(const Coordinates& x) {
-  const Validity validity = problem_->validity(x);
-  record_.inverted = validity.inverted;
-  record_.min_sine = validity.min_sine;
+  record(problem_->validity(x));
   // A soft determinant untangles the bulk, a sharp one the last few elements.
   constexpr int patience = 8;
   constexpr double sharpening = 0.25;
@@ -57,8 +55,7 @@ void EnergyUntangler::assess(const Coordinates& x) {
 }
 
 IterationRecord EnergyUntangler::start(const Coordinates& x) {
-  record_ = {};
-  record_.damping = 1;
+  begin_record(1);
   softness_ = softest;
   least_inverted_ = std::numeric_limits<Index>::max();
   last_progress_ = 0;
@@ -106,15 +103,6 @@ bool EnergyUntangler::search(Coordinates& x, double slope, double shortest) {
   return false;
 }
 
-/// False if no step leads down.
-bool EnergyUntangler::search_down(Coordinates& x, double slope) {
-  const auto from_x = [&](double down, double shortest) { return search(x, down, shortest); };
-  return from_x(slope, shortest_step) ||
-         search_without_stuck_nodes(
-             problem_, x, direction_, slope, [&] { pass_checkpoint(); },
-             [&] { return solve_for_direction(x); }, from_x);
-}
-
 IterationRecord EnergyUntangler::step(Coordinates& x) {
   ++record_.iteration;
   if (interior_ == Interior::harmonic && record_.iteration == 2) {
@@ -124,7 +112,11 @@ IterationRecord EnergyUntangler::step(Coordinates& x) {
   }
   choose_regularisation(x);
   const double slope = solve_for_direction(x);
-  if (search_down(x, slope)) {
+  const bool lower = search_down(
+      problem_, x, direction_, slope, [&] { pass_checkpoint(); },
+      [&] { return solve_for_direction(x); },
+      [&](double down, double shortest) { return search(x, down, shortest); });
+  if (lower) {
     assess(x);
   } else {
     record_.damping = record_.largest_move = 0;

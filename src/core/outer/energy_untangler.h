@@ -31,7 +31,6 @@ class EnergyUntangler final : public OuterSolver {
   /// True once no element is inverted.
   bool converged() const override { return record_.inverted == 0; }
   bool stalled() const override { return record_.damping == 0; }
-  int linear_solves() const override { return linear_solves_; }
 
  private:
   double forcing() const;
@@ -42,12 +41,10 @@ class EnergyUntangler final : public OuterSolver {
   void assess(const Coordinates& x);
   double solve_for_direction(const Coordinates& x);
   bool search(Coordinates& x, double slope, double shortest);
-  bool search_down(Coordinates& x, double slope);
 
   std::shared_ptr<const UntanglingProblem> problem_;
   LinearSolver& linear_;
   double linear_tolerance_;
-  IterationRecord record_;
   const Coordinates* reference_;
   Interior interior_;
   std::vector<double> sizes_;  // of the cells
@@ -57,7 +54,6 @@ class EnergyUntangler final : public OuterSolver {
   int last_progress_ = 0;  // iteration
   SparseMatrix hessian_;
   std::vector<double> direction_;
-  int linear_solves_ = 0;
 };
 
 }  // namespace winslow

@@ -21,8 +21,7 @@ EquationNewton::EquationNewton(ClipVariants<EquationProblem> problems, LinearSol
 void EquationNewton::assess(const Coordinates& x) {
   const Validity validity = present()->validity(x);
   const bool untangled = record_.inverted > 0 && validity.inverted == 0;
-  record_.inverted = validity.inverted;
-  record_.min_sine = validity.min_sine;
+  record(validity);
   if (untangled && options_.clip == Clip::automatic) record_.clipped = false;
   record_.residual = present()->residual(x, {}).max;
   if (!std::isfinite(record_.residual)) throw NumericError("the coordinates are not finite");
@@ -30,8 +29,7 @@ void EquationNewton::assess(const Coordinates& x) {
 }
 
 IterationRecord EquationNewton::start(const Coordinates& x) {
-  record_ = {};
-  record_.damping = 1;
+  begin_record(1);
   stalled_ = false;
   round_off_ = 0;
   const bool tangled = present()->validity(x).inverted > 0;
@@ -125,8 +123,8 @@ bool EquationNewton::converged() const {
   return record_.residual <= std::max(options_.tolerance, round_off_);
 }
 
-void EquationNewton::predict(const Coordinates& x, const Coordinates& displacement,
-                             std::span<double> out) {
+void EquationNewton::respond(const Coordinates& x, const Coordinates& displacement,
+                             bool /*correct*/, std::span<double> out) {
   try {
     if (!linearised_) factorise(x);
     // Both sides belong to the same coordinates: only then does the mesh at a body follow it

@@ -34,10 +34,7 @@ class EquationNewton final : public SteadySolver {
   /// equations have no valid solution there. It left the mesh as it was.
   bool stalled() const override { return stalled_; }
 
-  void predict(const Coordinates& x, const Coordinates& displacement,
-               std::span<double> out) override;
   void reject() override { linearised_.reset(); }
-  int linear_solves() const override { return linear_solves_; }
 
  private:
   const std::shared_ptr<const EquationProblem>& present() const {
@@ -49,11 +46,12 @@ class EquationNewton final : public SteadySolver {
   bool search(Coordinates& x, std::span<const double> direction, double first, double smallest);
   bool search_frozen(Coordinates& x);
   void assess(const Coordinates& x);
+  void respond(const Coordinates& x, const Coordinates& displacement, bool correct,
+               std::span<double> out) override;
 
   ClipVariants<EquationProblem> problems_;
   LinearSolver& linear_;
   EquationOptions options_;
-  IterationRecord record_;
   SparseMatrix jacobian_;
   SparseSystem frozen_;
   std::vector<double> residual_, direction_, frozen_direction_;
@@ -63,7 +61,6 @@ class EquationNewton final : public SteadySolver {
   std::shared_ptr<const EquationProblem> linearised_;
   Coordinates linearised_at_;
   bool stalled_ = false;
-  int linear_solves_ = 0;
 };
 
 }  // namespace winslow

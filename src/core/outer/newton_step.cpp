@@ -36,13 +36,13 @@ void shift_diagonal(SparseMatrix& matrix, double share) {
 
 namespace {
 
-/// Calls `take` with a matrix whose diagonal grows until it no longer throws.
-template <typename Take>
-void until_taken(SparseMatrix& matrix, Take&& take) {
+/// Calls attempt() with a matrix whose diagonal grows until it no longer throws.
+template <typename Attempt>
+void until_positive_definite(SparseMatrix& matrix, Attempt&& attempt) {
   constexpr double first = 1e-10, growth = 100;
   for (double share = first;; share *= growth) {
     try {
-      take();
+      attempt();
       return;
     } catch (const NotPositiveDefinite&) {
       if (share > 1) throw;
@@ -54,13 +54,13 @@ void until_taken(SparseMatrix& matrix, Take&& take) {
 }  // namespace
 
 void set_shifted_matrix(LinearSolver& solver, SparseMatrix& matrix) {
-  until_taken(matrix, [&] { solver.set_matrix(matrix); });
+  until_positive_definite(matrix, [&] { solver.set_matrix(matrix); });
 }
 
 LinearResult solve_shifted(LinearSolver& solver, SparseMatrix& matrix, std::span<const double> rhs,
                            std::span<double> solution) {
   LinearResult result;
-  until_taken(matrix, [&] {
+  until_positive_definite(matrix, [&] {
     std::fill(solution.begin(), solution.end(), 0.0);
     solver.set_matrix(matrix);
     result = solver.solve(rhs, 1, solution);

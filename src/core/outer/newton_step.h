@@ -37,19 +37,21 @@ void set_shifted_matrix(LinearSolver& solver, SparseMatrix& matrix);
 LinearResult solve_shifted(LinearSolver& solver, SparseMatrix& matrix, std::span<const double> rhs,
                            std::span<double> solution);
 
-/// A line search for when only very short steps lower the energy, because some nodes are stuck.
-/// Replaces `problem` by one that holds the stuck nodes (EnergyProblem::holding_stuck_nodes()),
-/// solves for a new direction and searches along it; repeats this while more nodes are found.
+/// A line search that lowers the energy. Where only very short steps do, because some nodes are
+/// stuck, it replaces `problem` by one that holds the stuck nodes
+/// (EnergyProblem::holding_stuck_nodes()), solves for a new direction and searches along it; it
+/// repeats this while more nodes are found. Returns false if no step leads down.
 ///
 /// direction: of the last system; solve() overwrites it. slope: of the energy along it, downhill.
 /// pass_checkpoint(): called before each round; ends the search by an exception. solve(): solves
 /// the system of `problem` at x and returns the slope along the new direction. search(slope,
 /// shortest): makes a step; returns false if no step of `shortest` or more lowers the energy.
 template <class Problem, class Checkpoint, class Solve, class Search>
-bool search_without_stuck_nodes(std::shared_ptr<const Problem>& problem, const Coordinates& x,
-                                const std::vector<double>& direction, double slope,
-                                Checkpoint pass_checkpoint, Solve solve, Search search) {
+bool search_down(std::shared_ptr<const Problem>& problem, const Coordinates& x,
+                 const std::vector<double>& direction, double slope, Checkpoint pass_checkpoint,
+                 Solve solve, Search search) {
   constexpr int most_times = 10;
+  if (search(slope, shortest_step)) return true;
   for (int i = 0; i < most_times; ++i) {
     pass_checkpoint();
     auto other = std::dynamic_pointer_cast<const Problem>(

@@ -22,7 +22,12 @@ enum class Stage {
   newton,    ///< Newton's method towards the tolerance
   worst      ///< raising the worst element of a solution
 };
-std::string_view stage_name(Stage stage);  ///< "picard", "untangle", ...
+/// "picard", "untangle", ...
+inline std::string_view stage_name(Stage stage) {
+  constexpr std::array<std::string_view, 6> names{"picard", "untangle", "relax",
+                                                  "path",   "newton",   "worst"};
+  return names[static_cast<std::size_t>(stage)];
+}
 
 /// One row of a convergence history. Iteration 0 is the mesh as given.
 struct IterationRecord {
@@ -53,7 +58,7 @@ class OuterSolver {
   /// Nodes that it holds where what they slide on folds (EnergyProblem::holding_stuck_nodes()).
   virtual Index stuck_nodes() const { return 0; }
   /// Linear systems solved since the solver was made.
-  virtual int linear_solves() const = 0;
+  int linear_solves() const { return linear_solves_; }
 
   /// To be called within a step that solves many systems, between these. What it throws ends the
   /// step, and the iteration. Empty: nothing.
@@ -63,6 +68,18 @@ class OuterSolver {
   void pass_checkpoint() const {
     if (checkpoint_) checkpoint_();
   }
+  /// Begins a history.
+  void begin_record(double damping) {
+    record_ = {};
+    record_.damping = damping;
+  }
+  void record(const Validity& validity) {
+    record_.inverted = validity.inverted;
+    record_.min_sine = validity.min_sine;
+  }
+
+  IterationRecord record_;  // the last one
+  int linear_solves_ = 0;
 
  private:
   std::function<void()> checkpoint_;
@@ -96,17 +113,22 @@ class SteadySolver : public OuterSolver {
   /// prescribed nodes move by `displacement` (as large as x; what it holds for other nodes is
   /// ignored). One linear solve, with the last linearisation of this problem where there is one,
   /// else with one at x.
-  virtual void predict(const Coordinates& x, const Coordinates& displacement,
-                       std::span<double> out) = 0;
+  void predict(const Coordinates& x, const Coordinates& displacement, std::span<double> out) {
+    respond(x, displacement, false, out);
+  }
   /// The same, plus what leads back to the solution where x is only near one: still one linear
   /// solve. Solvers that know no such correction predict.
-  virtual void predict_and_correct(const Coordinates& x, const Coordinates& displacement,
-                                   std::span<double> out) {
-    predict(x, displacement, out);
+  void predict_and_correct(const Coordinates& x, const Coordinates& displacement,
+                           std::span<double> out) {
+    respond(x, displacement, true, out);
   }
   /// The caller goes back to a mesh from before the last start(): no linearisation made since is of
   /// a mesh near it, so the next prediction makes its own.
   virtual void reject() = 0;
+
+ protected:
+  virtual void respond(const Coordinates& x, const Coordinates& displacement, bool correct,
+                       std::span<double> out) = 0;
 };
 
 }  // namespace winslow

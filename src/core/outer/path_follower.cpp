@@ -22,11 +22,8 @@ PathFollower::Trial PathFollower::attempt(const Path& path, const Goal& goal, Co
   path.move(goal.fraction, moved);
   const Coordinates displacement = displacements(x, moved);
   std::vector<double> answer(problem.unknowns());
-  if (goal.correct) {
-    solver_.predict_and_correct(x, displacement, answer);
-  } else {
-    solver_.predict(x, displacement, answer);
-  }
+  goal.correct ? solver_.predict_and_correct(x, displacement, answer)
+               : solver_.predict(x, displacement, answer);
   problem.advance(answer, 1, moved);
   Trial trial;
   constexpr double beyond = 1.1;  // of the step: more is not asked for

@@ -64,7 +64,7 @@ class PathFollower {
  private:
   struct Goal {
     double fraction;   // of the motion
-    bool correct;      // on the way, what x lacks to be on the path
+    bool correct;      // the prediction also leads x back to the path
     bool may_shorten;  // another trial with a shorter step is an option
     bool cut;          // a longer trial was invalid
     double min_sine;   // of the mesh at the start of the path

@@ -79,8 +79,7 @@ bool PicardSolver::choose_clip(Index inverted) {
 void PicardSolver::assess(const Coordinates& x) {
   const bool clipped_before = record_.clipped;
   const Validity validity = problem().validity(x);
-  record_.inverted = validity.inverted;
-  record_.min_sine = validity.min_sine;
+  record(validity);
   record_.clipped = choose_clip(validity.inverted);
   if (record_.clipped != clipped_before) acceleration_.reset();
   record_.residual = problem().residual(x, {}).max;
@@ -91,8 +90,7 @@ void PicardSolver::assess(const Coordinates& x) {
 }
 
 IterationRecord PicardSolver::start(const Coordinates& x) {
-  record_ = {};
-  record_.damping = options_.damping;
+  begin_record(options_.damping);
   unclipped_before_ = false;
   relapses_ = 0;
   round_off_ = 0;

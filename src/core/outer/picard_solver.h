@@ -45,7 +45,6 @@ class PicardSolver final : public OuterSolver {
   IterationRecord start(const Coordinates& x) override;
   IterationRecord step(Coordinates& x) override;
   bool converged() const override;
-  int linear_solves() const override { return linear_solves_; }
 
  private:
   bool choose_clip(Index inverted);
@@ -59,7 +58,6 @@ class PicardSolver final : public OuterSolver {
   LinearSolver& linear_;
   EquationOptions options_;
   SparseSystem system_;
-  IterationRecord record_;
   double round_off_ = 0;  // smallest residual that double precision can show on this mesh
 
   bool unclipped_before_ = false;
@@ -67,8 +65,6 @@ class PicardSolver final : public OuterSolver {
 
   std::optional<AndersonAcceleration> acceleration_;
   double best_accelerated_ = 0;
-
-  int linear_solves_ = 0;
 
   double best_residual_ = 0;  // for adapt_damping
   Index least_inverted_ = 0;

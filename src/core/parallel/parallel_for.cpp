@@ -67,7 +67,7 @@ class ThreadPool {
       untaken_ += job.count;
     }
     wake_.notify_all();
-    for (Index share = take(job); share >= 0; share = take(job)) finish(job, share);
+    for (Index share = claim(job); share >= 0; share = claim(job)) finish(job, share);
     const auto ended = [&] { return job.unfinished.load(std::memory_order_acquire) == 0; };
     if (soon(ended)) return;
     std::unique_lock lock(mutex_);
@@ -95,16 +95,16 @@ class ThreadPool {
   }
 
   /// A share of the job that is the caller's to do; -1: there is none. Called with the mutex held.
-  Index take_locked(Job& job) {
+  Index claim_locked(Job& job) {
     if (job.next == job.count) return -1;
     --untaken_;
     const Index share = job.next++;
     if (job.next == job.count) std::erase(jobs_, &job);
     return share;
   }
-  Index take(Job& job) {
+  Index claim(Job& job) {
     const std::lock_guard lock(mutex_);
-    return take_locked(job);
+    return claim_locked(job);
   }
 
   void finish(Job& job, Index share) {
@@ -128,7 +128,7 @@ class ThreadPool {
         wake_.wait(lock, [&] { return ending_ || !jobs_.empty(); });
         if (jobs_.empty()) return;
         job = jobs_.front();
-        share = take_locked(*job);
+        share = claim_locked(*job);
       }
       finish(*job, share);
     }

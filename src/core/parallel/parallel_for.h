@@ -34,6 +34,10 @@ inline int thread_count(int requested) {
 /// have a fixed size and never depend on the number of threads, so a body that writes per block
 /// (and sums the blocks in order afterwards) gives the same bits at any thread count.
 inline constexpr Index parallel_block = 4096;
+/// How many blocks cover [0, n).
+inline std::size_t block_count(Index n, Index block = parallel_block) {
+  return at((n + block - 1) / block);
+}
 
 /// block: size of the blocks, smaller for a body that takes long over each of them. Of what bodies
 /// throw, the exception of the first block comes out, when all have ended.

@@ -3,8 +3,73 @@
 #include <Eigen/Geometry>
 
 #include "core/error.h"
+#include "core/parallel/parallel_for.h"
 
 namespace winslow {
+
+void SlidingNodes::set(Index node, const TangentFrame& frame) { frames_[node] = frame; }
+
+std::vector<TangentFrame> SlidingNodes::set(std::span<const Index> nodes,
+                                            std::shared_ptr<const SlidingGeometry> geometry,
+                                            const Coordinates& x) {
+  if (geometry_.empty()) geometry_.resize(at(x.size()));
+  constexpr Index block = 512;  // a foot may take a search
+  std::vector<TangentFrame> frames(nodes.size());
+  const auto find = [&](Index begin, Index end) {
+    for (std::size_t i = at(begin); i < at(end); ++i)
+      frames[i] = geometry->foot(nodes[i], place_of(x, nodes[i])).frame;
+  };
+  parallel_for(0, static_cast<Index>(nodes.size()), find, block);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    frames_[nodes[i]] = frames[i];
+    geometry_[at(nodes[i])] = geometry;
+  }
+  return frames;
+}
+
+void SlidingNodes::erase(Index node) {
+  frames_.erase(node);
+  if (!geometry_.empty()) geometry_[at(node)] = nullptr;
+}
+
+const TangentFrame* SlidingNodes::frame(Index node) const {
+  const auto found = frames_.find(node);
+  return found != frames_.end() ? &found->second : nullptr;
+}
+
+const SlidingGeometry* SlidingNodes::geometry(Index node) const {
+  return geometry_.empty() ? nullptr : geometry_[at(node)].get();
+}
+
+void TiedNodes::add(const NodeImage& image) {
+  for (const Index either : {image.node, image.image})
+    if (partner(either))
+      throw UsageError("node " + std::to_string(either) + " is in two periodic pairs");
+  images_[image.image] = image;
+  image_of_[image.node] = image.image;
+}
+
+std::optional<Index> TiedNodes::partner(Index node) const {
+  if (const auto found = images_.find(node); found != images_.end()) return found->second.node;
+  if (const auto found = image_of_.find(node); found != image_of_.end()) return found->second;
+  return std::nullopt;
+}
+
+std::optional<Index> TiedNodes::separate(Index node) {
+  const std::optional<Index> other = partner(node);
+  if (!other) return other;
+  for (const Index either : {node, *other}) {
+    images_.erase(either);
+    image_of_.erase(either);
+  }
+  return other;
+}
+
+std::vector<NodeImage> TiedNodes::images() const {
+  std::vector<NodeImage> list;
+  for (const auto& [node, image] : images_) list.push_back(image);
+  return list;
+}
 
 namespace {
 

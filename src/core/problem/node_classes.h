@@ -1,12 +1,88 @@
 #pragma once
 
+#include <utility>
+
+#include "core/geometry/curve_row.h"
+#include "core/geometry/element_normals.h"
+#include "core/geometry/periodic_pairs.h"
+#include "core/geometry/sliding_geometry.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
-#include "core/problem/sliding_nodes.h"
-#include "core/problem/tied_nodes.h"
 #include "core/types.h"
 
 namespace winslow {
+
+/// What the nodes of a mesh that slide stay on: each a line or a plane of its own, or geometry that
+/// it shares with others.
+class SlidingNodes {
+ public:
+  /// A line (one direction) or a plane (two) through wherever the node is.
+  void set(Index node, const TangentFrame& frame);
+  /// Geometry, which says what it is at the places in x (a point for each node of the mesh).
+  /// Returns the directions in which each node may move.
+  std::vector<TangentFrame> set(std::span<const Index> nodes,
+                                std::shared_ptr<const SlidingGeometry> geometry,
+                                const Coordinates& x);
+  /// The node no longer slides.
+  void erase(Index node);
+
+  /// Null for a node that does not slide.
+  const TangentFrame* frame(Index node) const;
+  /// Null for a node that slides on no geometry.
+  const SlidingGeometry* geometry(Index node) const;
+
+  /// Of a surface mesh, what tells elements that are turned over (null: nothing does).
+  void set_element_normals(std::shared_ptr<const ElementNormals> normals) {
+    element_normals_ = std::move(normals);
+  }
+  const std::shared_ptr<const ElementNormals>& element_normals() const { return element_normals_; }
+
+  /// Whether the same nodes may move in the same directions on the same geometry.
+  bool same_ways(const SlidingNodes& other) const {
+    return frames_ == other.frames_ && geometry_ == other.geometry_;
+  }
+
+ private:
+  std::map<Index, TangentFrame> frames_;
+  // #nodes of the mesh; empty as long as no node slides on geometry.
+  std::vector<std::shared_ptr<const SlidingGeometry>> geometry_;
+  std::shared_ptr<const ElementNormals> element_normals_;
+};
+
+/// A node that goes where another takes it across a periodic boundary.
+struct NodeImage {
+  Index image, node;
+  std::shared_ptr<const RigidImage> transform;  ///< takes the node to the image
+  bool operator==(const NodeImage& other) const {
+    return image == other.image && node == other.node && *transform == *other.transform;
+  }
+};
+
+/// Nodes of a mesh that have no unknowns of their own, because others take them along: images
+/// across periodic boundaries, and nodes in rows along curves.
+class TiedNodes {
+ public:
+  /// Throws UsageError if one of the nodes is in a pair already.
+  void add(const NodeImage& image);
+  /// Ends the pair that a node is in; the other node of the pair, if there was one.
+  std::optional<Index> separate(Index node);
+  /// The other node of the pair that a node is in.
+  std::optional<Index> partner(Index node) const;
+  bool has_image(Index node) const { return image_of_.contains(node); }
+  /// Ascending by the image.
+  std::vector<NodeImage> images() const;
+
+  void add(std::shared_ptr<const CurveRow> row) { rows_.push_back(std::move(row)); }
+  /// In the order in which they were added.
+  std::span<const std::shared_ptr<const CurveRow>> rows() const { return rows_; }
+
+  bool operator==(const TiedNodes&) const = default;
+
+ private:
+  std::map<Index, NodeImage> images_;  // by the image
+  std::map<Index, Index> image_of_;    // by the node
+  std::vector<std::shared_ptr<const CurveRow>> rows_;
+};
 
 /// How a node may move while a mesh is smoothed.
 enum class NodeClass : std::uint8_t {

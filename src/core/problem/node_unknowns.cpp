@@ -27,18 +27,8 @@ double mean_edge_at(const Topology& topology, const Points<D>& x, Index node) {
   return sum / static_cast<double>(neighbours.size());
 }
 
-/// visit(D as a constant, the points of x): what is the same in the plane and in space.
-template <typename Visit>
-void in_dimension(const Coordinates& x, Visit&& visit) {
-  if (x.dimension() == 2) {
-    visit(std::integral_constant<int, 2>(), PlanePoints(x));
-  } else {
-    visit(std::integral_constant<int, 3>(), SpacePoints(x));
-  }
-}
-
-Vec3 in_space(const Vec2& p) { return {p.x(), p.y(), 0}; }
-Vec3 in_space(const Vec3& p) { return p; }
+Vec3 lifted(const Vec2& p) { return {p.x(), p.y(), 0}; }
+Vec3 lifted(const Vec3& p) { return p; }
 
 }  // namespace
 
@@ -92,20 +82,18 @@ Vec<D> NodeUnknowns::move_of(std::size_t i, const Vec<D>& from,
   const double* own = rates.data() + first(i);
   if (!classes_->slides(nodes()[i])) return Vec<D>(own);
   Vec<D> move = Vec<D>::Zero();
-  for (const Vec3& direction : classes_->foot(nodes()[i], in_space(from)).frame)
+  for (const Vec3& direction : classes_->foot(nodes()[i], lifted(from)).frame)
     move += *own++ * direction.head<D>();
   return move;
 }
 
 double NodeUnknowns::mean_edge(const Coordinates& x, Index node) const {
-  double mean = 0;
-  in_dimension(x, [&](auto, const auto& points) { mean = mean_edge_at(topology(), points, node); });
-  return mean;
+  return in_dimension(x,
+                      [&](const auto& points) { return mean_edge_at(topology(), points, node); });
 }
 
 void NodeUnknowns::values(const Coordinates& x, std::span<double> out) const {
-  in_dimension(x, [&](auto dimension, const auto& points) {
-    constexpr int D = decltype(dimension)::value;
+  in_dimension(x, [&]<int D>(const Points<D>& points) {
     for (std::size_t i = 0; i < nodes().size(); ++i) {
       const Vec<D> p = points[nodes()[i]];
       double* own = out.data() + first(i);
@@ -122,31 +110,28 @@ void NodeUnknowns::values(const Coordinates& x, std::span<double> out) const {
 }
 
 void NodeUnknowns::lengths(const Coordinates& x, std::span<double> out) const {
-  in_dimension(x, [&](auto, const auto& points) {
+  in_dimension(x, [&](const auto& points) {
     for (std::size_t i = 0; i < nodes().size(); ++i) {
       std::fill_n(out.data() + first(i), count(i), mean_edge_at(topology(), points, nodes()[i]));
     }
   });
 }
 
-template <int D>
 void NodeUnknowns::place_others(Coordinates& x) const {
   for (const auto& [image, node, transform] : images())
-    x.template set<D>(image, transform->of(in_space(x.template get<D>(node))).template head<D>());
+    set_place(x, image, transform->of(place_of(x, node)));
   for (const auto& row : rows()) {
-    const auto places = row->places(in_space(x.template get<D>(row->first())),
-                                    in_space(x.template get<D>(row->last())));
+    const auto places = row->places(place_of(x, row->first()), place_of(x, row->last()));
     for (std::size_t k = 0; k < places.between.size(); ++k)
-      x.template set<D>(row->between()[k], places.between[k].point.template head<D>());
+      set_place(x, row->between()[k], places.between[k].point);
   }
 }
 
 double NodeUnknowns::advance(std::span<const double> direction, double step, Coordinates& x) const {
   constexpr Index block = 512;  // the way back to a curved surface takes a search
   const auto count = static_cast<Index>(nodes().size());
-  std::vector<double> largest2(at((count + block - 1) / block), 0.0);
-  in_dimension(x, [&](auto dimension, const auto&) {
-    constexpr int D = decltype(dimension)::value;
+  std::vector<double> largest2(block_count(count, block), 0.0);
+  in_dimension(x, [&]<int D>(const Points<D>&) {
     const auto move_nodes = [&](Index begin, Index end) {
       double& largest = largest2[at(begin / block)];
       for (Index i = begin; i < end; ++i) {
@@ -154,44 +139,38 @@ double NodeUnknowns::advance(std::span<const double> direction, double step, Coo
         const Vec<D> from = x.template get<D>(node);
         Vec<D> to = from + step * move_of<D>(at(i), from, direction);
         // A move along the tangent leaves a curved boundary: back to it.
-        if (classes_->slides(node))
-          to = classes_->foot(node, in_space(to)).point.template head<D>();
+        if (classes_->slides(node)) to = classes_->foot(node, lifted(to)).point.template head<D>();
         x.template set<D>(node, to);
         largest = std::max(largest, (to - from).squaredNorm());
       }
     };
     parallel_for(threads_, count, move_nodes, block);
-    place_others<D>(x);
   });
+  place_others(x);
   return std::sqrt(largest2.empty() ? 0 : *std::ranges::max_element(largest2));
 }
 
 void NodeUnknowns::velocities(const Coordinates& x, std::span<const double> rates,
                               Coordinates& out) const {
-  in_dimension(x, [&](auto dimension, const auto& points) {
-    constexpr int D = decltype(dimension)::value;
+  in_dimension(x, [&]<int D>(const Points<D>& points) {
     for (std::size_t i = 0; i < nodes().size(); ++i) {
       out.template set<D>(nodes()[i], move_of<D>(i, points[nodes()[i]], rates));
     }
-    for (const auto& [image, node, transform] : images()) {
-      const Vec3 rate = transform->rotation * in_space(out.template get<D>(node));
-      out.template set<D>(image, rate.template head<D>());
-    }
-    for (const auto& row : rows()) {
-      const auto places =
-          row->places(in_space(points[row->first()]), in_space(points[row->last()]));
-      const auto speed = [&](Index node, const CurvePoint<3>& place) {
-        return classes_->moves(node) ? place.tangent.dot(in_space(out.template get<D>(node))) : 0;
-      };
-      const double first = speed(row->first(), places.first);
-      const double last = speed(row->last(), places.last);
-      for (std::size_t k = 0; k < places.between.size(); ++k) {
-        const double along = first + row->part_of_last(k) * (last - first);
-        out.template set<D>(row->between()[k],
-                            along * places.between[k].tangent.template head<D>());
-      }
-    }
   });
+  for (const auto& [image, node, transform] : images())
+    set_place(out, image, transform->rotation * place_of(out, node));
+  for (const auto& row : rows()) {
+    const auto places = row->places(place_of(x, row->first()), place_of(x, row->last()));
+    const auto speed = [&](Index node, const CurvePoint<3>& place) {
+      return classes_->moves(node) ? place.tangent.dot(place_of(out, node)) : 0;
+    };
+    const double first = speed(row->first(), places.first);
+    const double last = speed(row->last(), places.last);
+    for (std::size_t k = 0; k < places.between.size(); ++k) {
+      const double along = first + row->part_of_last(k) * (last - first);
+      set_place(out, row->between()[k], along * places.between[k].tangent);
+    }
+  }
 }
 
 double NodeUnknowns::largest_valid_step(const Coordinates& from, const Coordinates& to,
@@ -209,7 +188,7 @@ Validity NodeUnknowns::validity(const Coordinates& x) const {
 double NodeUnknowns::residual_round_off(const Coordinates& x) const {
   constexpr double safety = 16;
   double worst = 0;
-  in_dimension(x, [&](auto, const auto& points) {
+  in_dimension(x, [&](const auto& points) {
     for (const Index node : nodes()) {
       const double edge = mean_edge_at(topology(), points, node);
       if (edge > 0) worst = std::max(worst, points[node].template lpNorm<Eigen::Infinity>() / edge);
@@ -217,6 +196,62 @@ double NodeUnknowns::residual_round_off(const Coordinates& x) const {
   });
   // A tangled start can have edges of almost no length; it must not pass for converged.
   return std::min(safety * std::numeric_limits<double>::epsilon() * worst, 1e-7);
+}
+
+namespace {
+
+/// The surface turns between two feet by more than a fold at least does.
+bool turns(const Foot& from, const Foot& to) {
+  const double cos_fold = std::cos(10 * M_PI / 180);
+  const int count = std::min(from.frame.count(), to.frame.count());
+  if (count == 0) return false;
+  if (count == 1) return std::abs(from.frame[0].dot(to.frame[0])) < cos_fold;
+  const Vec3 before = from.frame[0].cross(from.frame[1]);
+  return std::abs(before.dot(to.frame[0].cross(to.frame[1]))) < cos_fold;
+}
+
+/// way: length of the step in the tangent plane.
+bool leads_astray(const NodeClasses& classes, Index node, const Foot& from, const Foot& to,
+                  double way) {
+  constexpr double far = 4;
+  constexpr int halvings = 6;
+  if ((to.point - from.point).norm() > far * way) return true;
+  Foot first = from, last = to;
+  for (int i = 0; i < halvings && turns(first, last); ++i) {
+    const Foot middle = classes.foot(node, 0.5 * (first.point + last.point));
+    (turns(first, middle) ? last : first) = middle;
+  }
+  return turns(first, last);
+}
+
+}  // namespace
+
+Index add_nodes_led_astray(const NodeUnknowns& nodes, const Coordinates& x,
+                           const Coordinates& there, std::span<const double> direction,
+                           std::size_t stride, double step, std::vector<bool>& stuck) {
+  const NodeClasses& classes = nodes.classes();
+  const SpacePoints before(x), after(there);
+  std::vector<unsigned char> astray(stuck.size(), 0);
+  constexpr Index block = 512;  // a foot may take a search
+  const auto find = [&](Index begin, Index end) {
+    for (std::size_t row = at(begin); row < at(end); ++row) {
+      const Index node = nodes.nodes()[row];
+      if (stuck[row] || !classes.slides(node)) continue;
+      const auto of_node = direction.subspan(stride * row, stride);
+      const double way = step * std::hypot(of_node[0], of_node[1]);
+      if (!(way > 0)) continue;
+      const Foot from = classes.foot(node, before[node]), to = classes.foot(node, after[node]);
+      astray[row] = leads_astray(classes, node, from, to, way) ? 1 : 0;
+    }
+  };
+  parallel_for(nodes.threads(), static_cast<Index>(stuck.size()), find, block);
+  Index count = 0;
+  for (std::size_t row = 0; row < stuck.size(); ++row) {
+    if (astray[row] == 0) continue;
+    stuck[row] = true;
+    ++count;
+  }
+  return count;
 }
 
 }  // namespace winslow

@@ -74,7 +74,6 @@ class NodeUnknowns {
     std::vector<NodeImage> images;
   };
   /// Puts the nodes that have no unknowns of their own where those of the others take them.
-  template <int D>
   void place_others(Coordinates& x) const;
   template <int D>
   Vec<D> move_of(std::size_t i, const Vec<D>& from, std::span<const double> rates) const;
@@ -83,6 +82,19 @@ class NodeUnknowns {
   std::shared_ptr<const Numbers> layout_;
   int threads_;
 };
+
+/// Finds nodes that stop at jumps and folds of what they slide on. The energy has no derivative
+/// there, and no step of Newton's method takes a node across.
+///
+/// Adds to `stuck` (#nodes with unknowns) the sliding nodes that a step takes across a jump or a
+/// fold; returns how many. At a jump the feet of x and `there` are farther apart than the step is
+/// long. At a fold the surface turns between them all at once, not gradually as a curved one does.
+///
+/// The step is `step` times the direction, from x to `there`. stride: numbers per node in the
+/// direction, those of its unknowns first.
+Index add_nodes_led_astray(const NodeUnknowns& nodes, const Coordinates& x,
+                           const Coordinates& there, std::span<const double> direction,
+                           std::size_t stride, double step, std::vector<bool>& stuck);
 
 /// The part of a problem that is the same for all formulations over the nodes of a mesh. Problem:
 /// the kind of SmoothingProblem that it is.

@@ -8,6 +8,32 @@
 
 namespace winslow {
 
+namespace {
+
+/// What is called otherwise in space than in the plane.
+struct Words {
+  const char *region, *wrong_count;
+};
+const Words& words_of(int dimension) {
+  static constexpr std::array<Words, 2> words{
+      {{"circle", ": found three numbers, expected two for a plane mesh"},
+       {"sphere", ": found two numbers, expected three for a volume mesh"}}};
+  return words[static_cast<std::size_t>(dimension - 2)];
+}
+
+Option place_row(std::string_view key, std::optional<GivenVector>& place, std::string_view label,
+                 std::string_view help) {
+  return {.key = key,
+          .value = OptionalVectorOption{&place},
+          .label = label,
+          .help = help,
+          .unit = "units of the mesh",
+          .object = "keep_outside",
+          .applies = place.has_value()};
+}
+
+}  // namespace
+
 OptionTable option_table(KeepOutside& keep) {
   return {
       {.key = "radius",
@@ -18,29 +44,14 @@ OptionTable option_table(KeepOutside& keep) {
        .unit = "units of the mesh",
        .object = "keep_outside",
        .applies = keep.radius.has_value()},
-      {.key = "centre",
-       .value = OptionalVectorOption{&keep.centre},
-       .label = "Free centre",
-       .help = "Of the circle, in space the sphere, outside which nodes stay; not given: the "
-               "centre of the bounding box "
-               "of all that moves, or of the walls that get layers",
-       .unit = "units of the mesh",
-       .object = "keep_outside",
-       .applies = keep.centre.has_value()},
-      {.key = "corner",
-       .value = OptionalVectorOption{&keep.corner},
-       .label = "Free box",
-       .help = "Nodes outside the box with this corner and the one opposite stay where they are",
-       .unit = "units of the mesh",
-       .object = "keep_outside",
-       .applies = keep.corner.has_value()},
-      {.key = "opposite",
-       .value = OptionalVectorOption{&keep.opposite},
-       .label = "Opposite corner",
-       .help = "Of the box outside which nodes stay",
-       .unit = "units of the mesh",
-       .object = "keep_outside",
-       .applies = keep.opposite.has_value()},
+      place_row("centre", keep.centre, "Free centre",
+                "Of the circle, in space the sphere, outside which nodes stay; not given: the "
+                "centre of the bounding box "
+                "of all that moves, or of the walls that get layers"),
+      place_row("corner", keep.corner, "Free box",
+                "Nodes outside the box with this corner and the one opposite stay where they are"),
+      place_row("opposite", keep.opposite, "Opposite corner",
+                "Of the box outside which nodes stay"),
   };
 }
 
@@ -59,9 +70,7 @@ void validate(const KeepOutside& keep, int dimension) {
       {{"centre", &keep.centre}, {"corner", &keep.corner}, {"opposite", &keep.opposite}}};
   for (const auto& [name, place] : places)
     if (*place && (*place)->numbers(dimension) != dimension)
-      throw UsageError("keep-outside " + std::string(name) +
-                       (dimension == 3 ? ": found two numbers, expected three for a volume mesh"
-                                       : ": found three numbers, expected two for a plane mesh"));
+      throw UsageError("keep-outside " + std::string(name) + words_of(dimension).wrong_count);
 }
 
 KeepOutside to_local(KeepOutside keep, const LocalFrame& frame) {
@@ -69,23 +78,6 @@ KeepOutside to_local(KeepOutside keep, const LocalFrame& frame) {
     if (*place) **place -= frame.origin();
   return keep;
 }
-
-namespace {
-
-/// Calls holds() with the places of nodes.
-class NodesInside {
- public:
-  NodesInside(const FreeRegion& region, const Coordinates& x) : region_(region), x_(x) {}
-  bool operator()(Index node) const {
-    return x_.dimension() == 3 ? region_.holds(x_.xyz(node)) : region_.holds(x_.xy(node));
-  }
-
- private:
-  const FreeRegion& region_;
-  const Coordinates& x_;
-};
-
-}  // namespace
 
 FreeRegion::FreeRegion(const KeepOutside& keep, const Coordinates& x,
                        std::span<const Index> about) {
@@ -95,7 +87,7 @@ FreeRegion::FreeRegion(const KeepOutside& keep, const Coordinates& x,
       throw UsageError(
           "keep-outside radius: nothing moves whose centre could be meant; give the centre of "
           "the " +
-          std::string(x.dimension() == 3 ? "sphere" : "circle") + " (keep-outside centre)");
+          std::string(words_of(x.dimension()).region) + " (keep-outside centre)");
     centre_ = keep.centre ? Vec3(*keep.centre) : body_centre(body_box(x, about));
     radius_ = keep.radius;
   }
@@ -113,11 +105,10 @@ bool FreeRegion::holds(const Vec3& point) const {
 
 std::vector<Index> nodes_outside(const FreeRegion& region, const Topology& topology,
                                  const Coordinates& x) {
-  const NodesInside inside(region, x);
   std::vector<Index> outside;
   const auto interior = topology.interior_nodes();
   std::ranges::copy_if(interior, std::back_inserter(outside),
-                       [&](Index node) { return !inside(node); });
+                       [&](Index node) { return !region.holds(place_of(x, node)); });
   if (outside.size() == interior.size())
     throw UsageError("keep-outside: no interior node lies inside the region");
   std::ranges::sort(outside);
@@ -128,8 +119,8 @@ std::vector<Index> nodes_kept_outside(const KeepOutside& keep, const Topology& t
                                       const Coordinates& x, std::span<const Index> moving) {
   if (!keep.given()) return {};
   const FreeRegion region(keep, x, moving);
-  const NodesInside inside(region, x);
-  const auto left = std::ranges::count_if(moving, [&](Index node) { return !inside(node); });
+  const auto left =
+      std::ranges::count_if(moving, [&](Index node) { return !region.holds(place_of(x, node)); });
   if (left > 0)
     throw UsageError("keep-outside: " + std::to_string(left) + " of " +
                      std::to_string(moving.size()) +

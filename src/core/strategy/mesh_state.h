@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "core/formulation/element_roles.h"
+#include "core/formulation/cell_targets.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
 #include "core/vcv/sphere/node_vcv.h"
@@ -56,6 +56,11 @@ struct MeshState {
   std::shared_ptr<const SurfaceShape> surface = nullptr;
 };
 /// A state with the paper's VCVs of a plane or surface mesh: equal angles, unit edges.
-MeshState make_state(Mesh mesh);
+inline MeshState make_state(Mesh mesh) {
+  Vcvs vcvs;  // those of a volume mesh are made where an equation needs them
+  if (mesh.topology->cell_dimension() == 2)
+    vcvs = std::make_shared<const VirtualControlVolumes>(mesh.topology);
+  return {std::move(mesh), std::move(vcvs)};
+}
 
 }  // namespace winslow

@@ -1,6 +1,6 @@
 #include "core/strategy/newton_run.h"
 
-#include "core/strategy/sliding_bodies.h"
+#include "core/strategy/sliding.h"
 
 namespace winslow {
 
@@ -50,8 +50,8 @@ void NewtonRun::begin_with_own_shapes(const Coordinates& start, Coordinates& x) 
 void NewtonRun::relax_along_targets(Coordinates& x, double fraction) {
   Path path([](double, Coordinates&) {});
   path.change_problem = [this](double share) { set_target_share(share); };
-  const auto accept = [&](const IterationRecord& record, const Coordinates& at) {
-    recorder_.report(record, at, Stage::relax, fraction, true);
+  const auto accept = [&](const IterationRecord& record, const Coordinates& mesh) {
+    recorder_.report(record, mesh, Stage::relax, fraction, true);
     return recorder_.remaining() > 0;
   };
   const int before = newton().linear_solves();
@@ -73,7 +73,7 @@ bool NewtonRun::converge(Coordinates& x, double fraction, bool at_any_pace) {
   if (creeping) return false;
   while (recorder_.result().converged && sharpen(x)) {
     const Coordinates solution = x;
-    const SmoothResult outcome = recorder_.result();
+    const RunOutcome outcome = recorder_.result();
     recorder_.iterate(newton(), x, Stage::newton, fraction);
     if (recorder_.result().converged) continue;
     x = solution;
@@ -129,6 +129,14 @@ void NewtonRun::end_path(Coordinates& x, double reached) {
   recorder_.iterate(newton(), x, Stage::newton, reached, 0);
 }
 
+void NewtonRun::move(const Motion& motion, const Coordinates& rest, int increments,
+                     Coordinates& x) {
+  if (increments > 0)
+    move_in_steps(motion, rest, increments, x);
+  else
+    move_along_path(motion, rest, x);
+}
+
 void NewtonRun::move_along_path(const Motion& motion, const Coordinates& rest, Coordinates& x) {
   const Topology& topology = *state_.mesh.topology;
   SmoothResult& result = recorder_.result();
@@ -144,7 +152,7 @@ void NewtonRun::move_along_path(const Motion& motion, const Coordinates& rest, C
   constexpr double worth_keeping = 0.1;
   const double given = smallest_sine(state_.mesh.coordinates);
   const double least_sine = worth_keeping * (given > 0 ? given : smallest_sine(x));
-  Path path([&](double fraction, Coordinates& at) { motion.apply(rest, fraction, at); });
+  Path path([&](double fraction, Coordinates& mesh) { motion.apply(rest, fraction, mesh); });
   const Coordinates start = x;
   if (!approach(x, 0)) {
     begin_with_own_shapes(start, x);
@@ -162,22 +170,22 @@ void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x)
   SteadySolver& solver = newton();
   PathMesh good{0, x};  // the last one without slivers
   double min_sine = 1;
-  const auto accept = [&](const IterationRecord& record, const Coordinates& at) {
-    recorder_.report(record, at, Stage::path, record.fraction, true);
+  const auto accept = [&](const IterationRecord& record, const Coordinates& mesh) {
+    recorder_.report(record, mesh, Stage::path, record.fraction, true);
     min_sine = record.min_sine;
-    if (min_sine >= least_sine) good = {record.fraction, at};
-    return recorder_.remaining() > 0 && !strained(at);
+    if (min_sine >= least_sine) good = {record.fraction, mesh};
+    return recorder_.remaining() > 0 && !strained(mesh);
   };
   std::string& limit = recorder_.result().limited_by;  // between the last mesh and the next
   bool ended = false;                                  // before a mesh beyond some limit
-  const auto within_limits = [&](const Coordinates& at) {
-    limit = fault(at);
-    ended = !limit.empty() || (blocked_by_contact() && smallest_sine(at) < least_sine);
+  const auto within_limits = [&](const Coordinates& mesh) {
+    limit = fault(mesh);
+    ended = !limit.empty() || (blocked_by_contact() && smallest_sine(mesh) < least_sine);
     return !ended;
   };
-  // Where the path is lost, the way back to it is Newton's method with the boundary held; then it
-  // goes on from there. Only where that gains nothing, twice, is the motion blocked. Pressed
-  // against a wall it could go on for ever, in steps that are worth less and less.
+  // Where the path is lost, Newton's method with the boundary held leads back to it, and the path
+  // goes on from there. The motion counts as blocked if that gains nothing twice in a row. Pressed
+  // against a wall a mesh gains less and less each time, so more is asked for there.
   const double pressed = 0.25 * least_sine;
   constexpr double worthwhile = 1e-5, worthwhile_pressed = 5e-3;
   PathOptions options;
@@ -299,6 +307,126 @@ double VariationalRun::knee() {
 bool VariationalRun::strained(const Coordinates& x) {
   constexpr double beyond = 3;  // knees
   return asked_for().knee > 0 && energy().worst_distortion(x) > beyond * knee();
+}
+
+namespace {
+
+/// A tangled mesh that hardly changes any more will not come untangled.
+bool hopeless(const IterationRecord& record) {
+  constexpr double settled = 1e-4;
+  return record.inverted > 0 && record.residual < settled;
+}
+
+class FixedPointMotion {
+ public:
+  FixedPointMotion(const Coordinates& rest, const Motion& motion, int max_iterations,
+                   OuterSolver& solver, RunRecorder& recorder)
+      : rest_(rest),
+        motion_(motion),
+        max_iterations_(max_iterations),
+        solver_(solver),
+        recorder_(recorder) {}
+
+  /// All steps but the last are smoothed loosely: they are only there to lead the interior along.
+  /// give_up: stop at the first step whose mesh stays tangled. Returns false then.
+  bool move_in_steps(int increments, bool give_up, Coordinates& x) {
+    constexpr double loose = 1e-3;
+    constexpr int step_limit = 40;
+    recorder_.result().increments = increments;
+    for (int k = 1; k < increments; ++k) {
+      const double fraction = static_cast<double>(k) / increments;
+      motion_.apply(rest_, fraction, x);
+      recorder_.iterate(solver_, x, Stage::picard, fraction, std::min(step_limit, max_iterations_),
+                        [](const IterationRecord& record) {
+                          return record.inverted == 0 && record.residual < loose;
+                        });
+      if (give_up && recorder_.result().inverted > 0) return false;
+    }
+    motion_.apply(rest_, 1, x);
+    recorder_.iterate(solver_, x, Stage::picard, 1, max_iterations_,
+                      give_up ? RunRecorder::Enough(hopeless) : RunRecorder::Enough());
+    return recorder_.result().inverted == 0;
+  }
+
+  void move_automatically(Coordinates& x) {
+    if (move_in_steps(1, true, x)) return;
+    const Coordinates direct_x = x;
+    const RunOutcome direct = recorder_.result();
+    constexpr std::array<int, 2> attempts{8, 32};
+    for (const int increments : attempts) {
+      x = rest_;
+      if (move_in_steps(increments, true, x)) return;
+    }
+    x = direct_x;
+    recorder_.restore_outcome(direct);
+  }
+
+ private:
+  const Coordinates& rest_;
+  const Motion& motion_;
+  int max_iterations_;
+  OuterSolver& solver_;
+  RunRecorder& recorder_;
+};
+
+}  // namespace
+
+void move_by_fixed_point(const Coordinates& rest, const Motion& motion, int increments,
+                         int max_iterations, OuterSolver& solver, RunRecorder& recorder,
+                         Coordinates& x) {
+  FixedPointMotion run(rest, motion, max_iterations, solver, recorder);
+  if (increments > 0) {
+    run.move_in_steps(increments, false, x);
+  } else {
+    run.move_automatically(x);
+  }
+}
+
+namespace {
+
+bool complete(const SmoothResult& result) {
+  return result.converged && result.inverted == 0 && result.fraction_reached >= 1;
+}
+
+}  // namespace
+
+void PointwiseRun::attempt(const Way& by_newton, const Way& by_fixed_point, Coordinates& x) {
+  const Coordinates start = x;
+  by_newton(x);
+  const SmoothResult& result = recorder().result();
+  // Where a limit ended the path, a fixed point, which follows none, would run past it.
+  if (complete(result) || !result.limited_by.empty() ||
+      workspace().options().outer == OuterMethod::newton || recorder().remaining() <= 0) {
+    return;
+  }
+  const RunOutcome newtons = result;
+  Coordinates newtons_x = std::move(x);
+  x = start;
+  recorder().lift_budget();
+  by_fixed_point(x);
+  recorder().result().linear_solver = workspace().linear().description();
+  if (result.inverted == 0 || newtons.inverted > 0) return;
+  x = std::move(newtons_x);
+  recorder().restore_outcome(newtons);
+}
+
+void PointwiseRun::smooth(Coordinates& x, double fraction, const Coordinates* reference) {
+  attempt([&](Coordinates& y) { NewtonRun::smooth(y, fraction, reference); },
+          [&](Coordinates& y) {
+            recorder().iterate(workspace().picard(), y, Stage::picard, fraction,
+                               workspace().options().max_iterations);
+          },
+          x);
+}
+
+void PointwiseRun::move(const Motion& motion, const Coordinates& rest, int increments,
+                        Coordinates& x) {
+  attempt([&](Coordinates& y) { NewtonRun::move(motion, rest, increments, y); },
+          [&](Coordinates& y) {
+            move_by_fixed_point(rest, motion, increments, workspace().options().max_iterations,
+                                workspace().picard(), recorder(), y);
+          },
+          x);
 }
 
 }  // namespace winslow

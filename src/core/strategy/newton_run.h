@@ -17,21 +17,19 @@ class NewtonRun {
  public:
   virtual ~NewtonRun() = default;
 
-  /// Limits before which move_along_path() ends.
+  /// Limits before which move() along a path ends.
   void keep_within(QualityFloor floor) { floor_ = std::move(floor); }
-  /// move_along_path() does not begin a motion that contact blocks.
+  /// move() along a path does not begin a motion that contact blocks.
   void end_at_contact(bool whether) { end_at_contact_ = whether; }
-  /// There is no contact on the way: move_along_path() need not look for one.
+  /// There is no contact on the way: move() need not look for one.
   void way_is_clear() { way_is_clear_ = true; }
   /// The boundary stays. reference: a valid mesh of the same connectivity that says how large the
   /// triangles are to be while they are untangled; may be null.
   virtual void smooth(Coordinates& x, double fraction, const Coordinates* reference);
-  /// Moves the boundary from x (any mesh; where the motion begins) along a path of valid meshes.
-  /// Stops at the last one if it leads no further. rest: what the motion refers to.
-  virtual void move_along_path(const Motion& motion, const Coordinates& rest, Coordinates& x);
-  /// Moves the boundary in equal steps, each at once.
-  virtual void move_in_steps(const Motion& motion, const Coordinates& rest, int increments,
-                             Coordinates& x);
+  /// Moves the boundary from x (any mesh; where the motion begins) in so many equal steps, each at
+  /// once; 0: along a path of valid meshes. Stops at the last one if it leads no further. rest:
+  /// what the motion refers to.
+  virtual void move(const Motion& motion, const Coordinates& rest, int increments, Coordinates& x);
 
  protected:
   /// The workspace is prepared. The references outlive the run.
@@ -68,6 +66,8 @@ class NewtonRun {
   RunRecorder& recorder() { return recorder_; }
 
  private:
+  void move_along_path(const Motion& motion, const Coordinates& rest, Coordinates& x);
+  void move_in_steps(const Motion& motion, const Coordinates& rest, int increments, Coordinates& x);
   bool untangle(Coordinates& x, double fraction, const Coordinates* reference);
   bool approach(Coordinates& x, double fraction);
   void begin_with_own_shapes(const Coordinates& start, Coordinates& x);
@@ -126,6 +126,39 @@ class VariationalRun final : public NewtonRun {
 
   std::shared_ptr<const VariationalForm> energy_;  // that newton() is on; null: not made yet
   std::unique_ptr<const TargetPath> target_path_;
+};
+
+/// Moves the boundary of x and smooths by the paper's outer iteration. increments: steps in which
+/// the boundary moves; 0: at once and, where that ends tangled, in more and more steps; where no
+/// way leads to a valid mesh, the result is that of the direct way, converged or not. rest: what
+/// the motion refers to.
+void move_by_fixed_point(const Coordinates& rest, const Motion& motion, int increments,
+                         int max_iterations, OuterSolver& solver, RunRecorder& recorder,
+                         Coordinates& x);
+
+/// Smooths by the paper's operator and Newton's method.
+///
+/// OuterMethod::automatic: if Newton's method does not converge, or does not complete the motion,
+/// the paper's damped fixed point does all of it again from the start. (The operator's own solution
+/// may be tangled, above all on quadrilaterals.) The result is the mesh of the fixed point; but if
+/// that is tangled and Newton's is not, it is Newton's.
+class PointwiseRun final : public NewtonRun {
+ public:
+  /// The workspace is prepared. The references outlive the run.
+  PointwiseRun(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder)
+      : NewtonRun(state, workspace, recorder) {}
+
+  void smooth(Coordinates& x, double fraction, const Coordinates* reference) override;
+  void move(const Motion& motion, const Coordinates& rest, int increments, Coordinates& x) override;
+
+ private:
+  using Way = std::function<void(Coordinates& x)>;
+
+  SteadySolver& newton() override { return workspace().pointwise_newton(); }
+  const LinearSolver& linear() override { return workspace().newton_linear(); }
+  /// Without a solution to go to, steps against the limit of validity only spoil the mesh.
+  bool insists() const override { return false; }
+  void attempt(const Way& by_newton, const Way& by_fixed_point, Coordinates& x);
 };
 
 }  // namespace winslow

@@ -77,18 +77,4 @@ IterationRecord RunRecorder::iterate(OuterSolver& solver, Coordinates& x, Stage 
   return record;
 }
 
-void RunRecorder::restore_outcome(const SmoothResult& earlier) {
-  result_.converged = earlier.converged;
-  result_.residual = earlier.residual;
-  result_.out_of_iterations = earlier.out_of_iterations;
-  result_.fraction_reached = earlier.fraction_reached;
-  result_.limited_by = earlier.limited_by;
-  result_.contact = earlier.contact;
-  result_.gap = earlier.gap;
-  result_.increments = earlier.increments;
-  result_.linear_solver = earlier.linear_solver;
-  result_.inverted = earlier.inverted;
-  result_.stuck_nodes = earlier.stuck_nodes;
-}
-
 }  // namespace winslow

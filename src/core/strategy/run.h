@@ -5,7 +5,58 @@
 #include "core/outer/outer_solver.h"
 #include "core/quality/mesh_change.h"
 #include "core/strategy/slide_options.h"
-#include "core/strategy/solver_cache.h"
+
+/// What one call of execute() leaves to the next, for programs that change one mesh many times.
+/// Bodies that move again and again are the affair of a MovingMesh, which has a cache of its own.
+///
+///     winslow::SolverCache cache;
+///     winslow::RunOptions options;
+///     options.cache = &cache;
+///     for (int step = 0; step < steps; ++step)
+///       state = winslow::execute(bend_wing, state, options).state;
+///
+/// It keeps the patterns of matrices, their orderings, symbolic factorisations and factors, targets
+/// of elements and the virtual control volumes of volume meshes. Every call finds out by itself
+/// what of it still holds and makes the rest anew, so that any command, any options and any state
+/// may come next. Matrices stay useful as long as two calls share the topology (the same object, as
+/// a state and the result made from it do) and the same nodes may move in the same directions. Only
+/// the last such pair is kept: two meshes, or two bodies that move in turn, are worth two caches.
+///
+/// RESULTS are those without a cache, to within the tolerances. Factorisations give the same bits;
+/// iterations may not, since the aggregates of a multigrid solver are those of the first matrix,
+/// and the solver `automatic` remembers on which mesh iterations were slow. The same calls in the
+/// same order give the same bits, at any number of threads.
+///
+/// MEMORY is what the last call needed beside the mesh; clear() gives it back. The cache also keeps
+/// alive the topology and the coordinates that the last call was given.
+///
+/// THREADS: one call at a time. Calls at once on several threads need a cache each.
+///
+/// ERRORS: a call that throws, Cancelled included, leaves a cache that can be used again.
+namespace winslow {
+
+class SmoothingWorkspace;
+
+/// What is kept from call to call.
+class SolverCache {
+ public:
+  SolverCache();
+  ~SolverCache();
+  /// What was moved from is as after clear().
+  SolverCache(SolverCache&& other) noexcept;
+  SolverCache& operator=(SolverCache&& other) noexcept;
+  SolverCache(const SolverCache&) = delete;
+  SolverCache& operator=(const SolverCache&) = delete;
+
+  /// Forgets everything.
+  void clear();
+
+  /// For winslow itself: clients have no definition of the class.
+  SmoothingWorkspace& workspace();
+
+ private:
+  std::unique_ptr<SmoothingWorkspace> workspace_;  // null: nothing is kept
+};
 
 /// What a call of execute() is given besides its command, and what it says:
 ///
@@ -14,7 +65,6 @@
 ///     options.cache = &cache;      // keeps what was prepared for the next call
 ///     const winslow::SmoothResult smooth = winslow::execute(command, state, options).smooth;
 ///     if (smooth.fraction_reached < 1) std::puts(winslow::why_incomplete(smooth).c_str());
-namespace winslow {
 
 /// Told about every outer iteration, on the solver's thread.
 class SolverMonitor {
@@ -47,11 +97,9 @@ struct RunOptions {
   const std::vector<Index>* kept = nullptr;
 };
 
-/// What a smoothing run came to.
-struct SmoothResult {
+/// How a smoothing run ended.
+struct RunOutcome {
   bool converged = false;
-  int outer_iterations = 0;
-  int linear_solves = 0;
   double residual = 0;
   bool out_of_iterations = false;  ///< ended by the limit of outer iterations
   double fraction_reached = 1;     ///< share of the boundary motion in the result
@@ -60,15 +108,21 @@ struct SmoothResult {
   /// What blocks a motion along a path, seen before it was begun; of the motion from RunOptions'
   /// start where there is one.
   std::optional<Contact> contact;
-  std::optional<Gap> gap;  ///< where a motion is blocked without contact
-  int increments = 1;      ///< steps in which the boundary was moved
-  /// Part of the elements (0 to 1) that `auto` targets keep stretched; none for other targets.
-  std::optional<double> stretched;
-  MovingBoundary boundary;    ///< what nodes of the boundary slid on, or were paired by
-  Index kept_outside = 0;     ///< interior nodes that SmoothOptions::keep_outside fixed
+  std::optional<Gap> gap;     ///< where a motion is blocked without contact
+  int increments = 1;         ///< steps in which the boundary was moved
   Index stuck_nodes = 0;      ///< OuterSolver::stuck_nodes()
   std::string linear_solver;  ///< what solved the linear systems, e.g. "CHOLMOD ..."
   Index inverted = 0;
+};
+
+/// What a smoothing run came to.
+struct SmoothResult : RunOutcome {
+  int outer_iterations = 0;
+  int linear_solves = 0;
+  /// Part of the elements (0 to 1) that `auto` targets keep stretched; none for other targets.
+  std::optional<double> stretched;
+  MovingBoundary boundary;  ///< what nodes of the boundary slid on, or were paired by
+  Index kept_outside = 0;   ///< interior nodes that SmoothOptions::keep_outside fixed
   std::vector<IterationRecord> history;
 };
 
@@ -123,7 +177,7 @@ class RunRecorder {
 
   SmoothResult& result() { return result_; }
   /// Puts back how an earlier attempt ended; counts and history stay those of all attempts.
-  void restore_outcome(const SmoothResult& earlier);
+  void restore_outcome(const RunOutcome& earlier) { static_cast<RunOutcome&>(result_) = earlier; }
 
  private:
   SolverMonitor* monitor_;

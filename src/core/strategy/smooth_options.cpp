@@ -252,12 +252,10 @@ std::string_view formulation_name(Formulation formulation) {
 
 OptionTable option_table(SmoothOptions& options) {
   OptionTable table = equations(options);
-  for (auto* rows : {vcv_rows, linear_rows, fixed_point, limits}) {
-    for (Option& row : rows(options)) table.push_back(std::move(row));
-  }
-  for (Option& row : option_table(options.keep_outside)) table.push_back(std::move(row));
-  for (Option& row : option_table(options.slide)) table.push_back(std::move(row));
-  return table;
+  for (auto* rows : {vcv_rows, linear_rows, fixed_point, limits})
+    table = joined(std::move(table), rows(options));
+  return joined(joined(std::move(table), option_table(options.keep_outside)),
+                option_table(options.slide));
 }
 
 void validate(const SmoothOptions& options) {

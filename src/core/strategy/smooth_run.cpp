@@ -3,15 +3,16 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/geometry/space_boundary.h"
+#include "core/geometry/surface_features.h"
 #include "core/motion/contact.h"
 #include "core/motion/transfer.h"
 #include "core/problem/node_unknowns.h"
 #include "core/quality/quality.h"
-#include "core/strategy/held_spacing.h"
 #include "core/strategy/keep_outside.h"
 #include "core/strategy/newton_run.h"
-#include "core/strategy/pointwise_run.h"
-#include "core/strategy/sliding_bodies.h"
+#include "core/strategy/run_sequence.h"
+#include "core/strategy/sliding.h"
 #include "core/strategy/surface_shape.h"
 #include "core/strategy/untangling.h"
 #include "core/strategy/workspace.h"
@@ -25,8 +26,7 @@ int most_updates(const Coordinates& given, const SmoothingWorkspace& workspace) 
   constexpr int after_tangle = 10;  // the angles halve their distance to the last ones each time
   const SmoothOptions& options = workspace.options();
   const Topology& topology = workspace.classes().topology();
-  if (topology.cell_dimension() != 3 || !refers_to_vcvs(options) || !follows_mesh(options.vcv))
-    return 0;
+  if (!workspace.vcvs_follow_mesh()) return 0;
   const bool tangled = check_validity(topology, given, options.threads).inverted > 0;
   return tangled ? std::max(after_tangle, options.vcv_updates) : options.vcv_updates;
 }
@@ -47,7 +47,7 @@ void update_vcvs(const Coordinates& given, SmoothingWorkspace& workspace, RunRec
   for (int update = 0; update < most && recorder.remaining() > 0; ++update) {
     if (workspace.adjust_vcvs(x) == 0) return;
     Coordinates solution = x;
-    const SmoothResult outcome = result;
+    const RunOutcome outcome = result;
     solve(x);
     // The operator's own solution may be tangled: from there the next angles are to lead out of it.
     if (result.converged && result.inverted <= outcome.inverted) continue;
@@ -128,7 +128,7 @@ bool move_from(const MeshState& state, const Motion& motion, const Coordinates& 
   motion.apply(state.mesh.coordinates, 1, target);
   if (valid(start)) {
     x = start;
-    steps.move_along_path(*make_transfer(classes, start, target), start, x);
+    steps.move(*make_transfer(classes, start, target), start, 0, x);
     return true;
   }
   Coordinates within = unknowns_within(classes, start, target);
@@ -272,11 +272,10 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
   steps->keep_within(how.floor);
   steps->end_at_contact(run.all_or_nothing);
   if (known) steps->way_is_clear();
-  if (how.increments > 0) {
-    steps->move_in_steps(motion, state.mesh.coordinates, how.increments, x);
-  } else if (!near_start || !move_from(state, motion, *run.start, workspace, *steps, x)) {
-    x = state.mesh.coordinates;
-    steps->move_along_path(motion, state.mesh.coordinates, x);
+  const bool along_path = how.increments == 0;
+  if (!along_path || !near_start || !move_from(state, motion, *run.start, workspace, *steps, x)) {
+    if (along_path) x = state.mesh.coordinates;
+    steps->move(motion, state.mesh.coordinates, how.increments, x);
   }
   if (!how.floor.given()) follow_with_vcvs(state, workspace, recorder, x);
   if (options.raise_worst) raise_worst_element(workspace, recorder, result.fraction_reached, x);
@@ -286,15 +285,171 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
 
 Coordinates starting_point(const MeshState& state, const RunOptions& options) {
   if (!options.start) return state.mesh.coordinates;
-  if (options.start->size() != state.mesh.coordinates.size() ||
-      options.start->dimension() != state.mesh.coordinates.dimension()) {
+  if (!options.start->alike(state.mesh.coordinates))
     throw UsageError("the start has another number of nodes than the mesh");
-  }
   Coordinates x = state.mesh.coordinates;
   for (const Index node : state.mesh.topology->interior_nodes()) {
     x.copy_node(node, *options.start);
   }
   return x;
+}
+
+namespace {
+
+/// The geometry of a volume mesh, asked by the nodes of its surface.
+class OfSurface final : public SlidingGeometry {
+ public:
+  OfSurface(std::shared_ptr<const SlidingGeometry> geometry, std::vector<Index> nodes)
+      : geometry_(std::move(geometry)), nodes_(std::move(nodes)) {}
+  Foot foot(Index node, const Vec3& point) const override {
+    return geometry_->foot(nodes_[at(node)], point);
+  }
+
+ private:
+  std::shared_ptr<const SlidingGeometry> geometry_;
+  std::vector<Index> nodes_;  // of the volume mesh
+};
+
+/// Nodes of the boundary on their way from one place to another, on what they slide on.
+class AlongBoundary final : public Motion {
+ public:
+  AlongBoundary(const SlidingBoundary& boundary, const Coordinates& from, Coordinates to)
+      : geometry_(boundary.geometry), to_(std::move(to)) {
+    for (const SlidingPart& part : boundary.parts)
+      for (const Index node : part.nodes)
+        if (!from.same_place(node, to_)) nodes_.push_back(node);
+    std::ranges::sort(nodes_);
+  }
+  std::span<const Index> nodes() const override { return nodes_; }
+  void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
+    for (const Index node : nodes_) {
+      if (fraction == 1) {
+        out.copy_node(node, to_);
+        continue;
+      }
+      const Vec3 on_chord = rest.xyz(node) + fraction * (to_.xyz(node) - rest.xyz(node));
+      out.set_xyz(node, geometry_->foot(node, on_chord).point);
+    }
+  }
+
+ private:
+  std::shared_ptr<const SlidingGeometry> geometry_;
+  Coordinates to_;
+  std::vector<Index> nodes_;
+};
+
+/// Tells of iterations, not of the mesh that they are of.
+class StillMonitor final : public SolverMonitor {
+ public:
+  StillMonitor(SolverMonitor* monitor, const Coordinates& x) : monitor_(monitor), x_(x) {}
+  bool on_iteration(const IterationRecord& record, const Coordinates&) override {
+    return !monitor_ || monitor_->on_iteration(record, x_);
+  }
+  bool cancelled() override { return monitor_ && monitor_->cancelled(); }
+
+ private:
+  SolverMonitor* monitor_;
+  const Coordinates& x_;
+};
+
+/// The sliding faces of a volume mesh as a mesh of their own.
+struct SurfaceOfMesh {
+  MeshState state;
+  std::vector<Index> nodes;  ///< of the volume mesh, one for each of the surface
+};
+
+SurfaceOfMesh surface_of(const Mesh& volume, const SlidingBoundary& boundary,
+                         const SlideOptions& slide) {
+  std::vector<Index> markers;
+  for (const std::string& name : slide.markers)
+    markers.push_back(*volume.topology->markers().find(name));
+  const SlidingFaces sliding = sliding_faces(*volume.topology, markers);
+  std::vector<Index> all;
+  for (std::size_t f = 0; f < sliding.faces.size(); ++f) all.push_back(static_cast<Index>(f));
+  SurfaceOfMesh out;
+  out.nodes = nodes_of_faces(sliding.faces, all);
+  const auto number = [&](Index node) {
+    return static_cast<Index>(std::ranges::lower_bound(out.nodes, node) - out.nodes.begin());
+  };
+  MeshData data;
+  data.coordinates = Coordinates(3, static_cast<Index>(out.nodes.size()));
+  for (std::size_t i = 0; i < out.nodes.size(); ++i)
+    data.coordinates.set_xyz(static_cast<Index>(i), volume.coordinates.xyz(out.nodes[i]));
+  for (const SurfaceFace& face : sliding.faces) {
+    std::vector<Index> corners;
+    for (const Index node : face.nodes) corners.push_back(number(node));
+    data.add_element(corners.size() == 3 ? ElementType::triangle : ElementType::quadrilateral,
+                     corners);
+  }
+  out.state = make_state(make_mesh(data));
+  auto shape = std::make_shared<SurfaceShape>();
+  shape->given = data.coordinates;
+  shape->rules = feature_rules(slide);
+  shape->reference = slide.reference;
+  for (const SlidingPart& part : boundary.parts) {
+    SlidingPart renumbered{part.marker, part.description, {}};
+    for (const Index node : part.nodes) renumbered.nodes.push_back(number(node));
+    shape->boundary.parts.push_back(std::move(renumbered));
+  }
+  shape->boundary.geometry = std::make_shared<const OfSurface>(boundary.geometry, out.nodes);
+  shape->normals = std::make_shared<const ElementNormals>(out.state.mesh.topology, shape->given,
+                                                          shape->boundary);
+  out.state.surface = std::move(shape);
+  return out;
+}
+
+/// Smooths the surface; the volume mesh with the nodes of its boundary where they are then.
+Coordinates smooth_surface(const Mesh& volume, const SlidingBoundary& boundary,
+                           const SmoothOptions& options, const RunOptions& run,
+                           SmoothResult& result) {
+  const SurfaceOfMesh surface = surface_of(volume, boundary, options.slide);
+  SmoothOptions of_surface = options;
+  of_surface.slide.markers.clear();
+  // Numbers of nodes of the volume mesh; its boundary is without those that are held.
+  of_surface.slide.hold_nodes.clear();
+  of_surface.slide.smooth_nodes.clear();
+  of_surface.vcv = VcvKind::automatic;  // kinds of volume meshes
+  StillMonitor monitor(run.monitor, volume.coordinates);
+  RunOptions own = run;
+  own.monitor = &monitor;
+  own.start = nullptr;
+  own.cache = nullptr;
+  Coordinates y = surface.state.mesh.coordinates;
+  append(result, smooth_interior(surface.state, of_surface, y, own));
+  Coordinates x = volume.coordinates;
+  for (std::size_t i = 0; i < surface.nodes.size(); ++i)
+    x.set_xyz(surface.nodes[i], y.xyz(static_cast<Index>(i)));
+  return x;
+}
+
+}  // namespace
+
+SmoothResult smooth_surface_first(const MeshState& state, const SmoothOptions& options,
+                                  Coordinates& x, const RunOptions& run) {
+  const Mesh& mesh = state.mesh;
+  const SlideOptions& slide = options.slide;
+  require_volume(*mesh.topology, "surface_first: for a volume mesh, and this is a ");
+  if (slide.markers.empty())
+    throw UsageError("surface_first: no marker slides: name those whose surface is to be smoothed");
+  if (!slide.periodic.empty())
+    throw UsageError("surface_first: periodic pairs are smoothed together with the interior");
+  const SlidingBoundary boundary = SlidingBoundary::find(
+      *mesh.topology, mesh.coordinates, slide.markers, feature_rules(slide), reference_of(slide));
+  SmoothResult result;
+  const Coordinates there = smooth_surface(mesh, boundary, options, run, result);
+  const bool surface_converged = result.converged;
+  SmoothOptions held = options;
+  held.slide = {};
+  held.slide.hold_nodes = slide.hold_nodes;
+  const AlongBoundary motion(boundary, mesh.coordinates, there);
+  const bool valid = check_validity(*mesh.topology, x, options.threads).inverted == 0;
+  RunSequence sequence(run, result);
+  // Of a mesh with inverted elements there is no path to follow.
+  sequence.move(state, motion, {.increments = valid ? 0 : 1}, held, nullptr, x);
+  result.converged = result.converged && surface_converged;
+  result.boundary.sliding = boundary.parts;
+  result.boundary.held = static_cast<Index>(slide.hold_nodes.size());
+  return result;
 }
 
 }  // namespace winslow

@@ -62,8 +62,8 @@ bool Untangling::guard_inside(const Coordinates& x) {
   return workspace_.guard(inside);
 }
 
-/// From the harmonic interior if that has fewer inverted elements: nothing of a scramble is worth
-/// keeping, and as it stands the energy would draw its nodes together in heaps.
+/// Begins with the harmonic interior, if that has fewer inverted elements than the mesh. A scramble
+/// has nothing worth keeping, and the energy would draw its nodes together where they are.
 bool Untangling::by_harmonic_start(Coordinates& x, double fraction) {
   constexpr int limit = 60;  // what it does not do soon it mostly never does
   const Index given = workspace_.validity(x).inverted;
@@ -148,7 +148,7 @@ void raise_worst_element(SmoothingWorkspace& workspace, RunRecorder& recorder, d
   constexpr double closer = 0.5, away = 3;  // what the bound's distance becomes, round by round
   constexpr double farthest = 2;            // bound, in largest distortions
   constexpr double short_step = 0.2, settled = 1e-3;
-  const SmoothResult outcome = recorder.result();
+  const RunOutcome outcome = recorder.result();
   EnergyNewton& newton = workspace.newton();
   auto energy = workspace.energy()->with_corner_lengths(x);
   double worst = energy->worst_distortion(x);

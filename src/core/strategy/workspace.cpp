@@ -1,9 +1,9 @@
 #include "core/strategy/workspace.h"
 
 #include "core/formulation/target_shapes.h"
-#include "core/formulation/volume_targets.h"
 #include "core/problem/node_unknowns.h"
 #include "core/quality/volume_element.h"
+#include "core/strategy/run.h"
 
 namespace winslow {
 
@@ -90,6 +90,7 @@ const SmoothingWorkspace::ComputedVcvs& SmoothingWorkspace::computed_vcvs() {
 }
 
 std::shared_ptr<const VolumeVcvs> SmoothingWorkspace::volume_vcvs() {
+  if (!in_space()) return nullptr;
   SpaceVcvs computed = computed_vcvs().vcvs;
   const Stencils stencils = vcvs_.by_hand();
   if (!stencils) return computed;
@@ -116,8 +117,7 @@ Index SmoothingWorkspace::adjust_vcvs(const Coordinates& x) {
 }
 
 bool SmoothingWorkspace::adjust_tangled_vcvs(const Coordinates& x) {
-  if (!in_space() || !refers_to_vcvs(options_)) return false;
-  return computed_vcvs().of_tangle && adjust_vcvs(x) > 0;
+  return vcvs_follow_mesh() && computed_vcvs().of_tangle && adjust_vcvs(x) > 0;
 }
 
 const std::shared_ptr<LinearSolver>& SmoothingWorkspace::general_solver(KeyedSolver& solver) {
@@ -136,21 +136,15 @@ const std::shared_ptr<LinearSolver>& SmoothingWorkspace::shared_symmetric_linear
   });
 }
 
-template <int D>
-ClipVariants<EquationProblem> SmoothingWorkspace::make_pointwise(const PointwiseKey& key) const {
-  if constexpr (D == 2)
-    return clip_variants(PointwiseForm<2>(*key.plane_vcvs, *key.pattern));
-  else
-    return clip_variants(PointwiseForm<3>(*key.space_vcvs, *key.pattern));
-}
-
 ClipVariants<EquationProblem> SmoothingWorkspace::pointwise() {
   const auto& pattern = made_.pointwise_pattern.of({unknowns_, options_.threads}, [&] {
     return std::make_shared<const PointwisePattern>(unknowns_, options_.threads);
   });
-  const PointwiseKey key{pattern, vcvs_.plane(), in_space() ? volume_vcvs() : nullptr};
-  return made_.pointwise.of(
-      key, [&] { return in_space() ? make_pointwise<3>(key) : make_pointwise<2>(key); });
+  const PointwiseKey key{pattern, vcvs_.plane(), volume_vcvs()};
+  return made_.pointwise.of(key, [&] {
+    return key.space_vcvs ? clip_variants(PointwiseForm<3>(*key.space_vcvs, *key.pattern))
+                          : clip_variants(PointwiseForm<2>(*key.plane_vcvs, *key.pattern));
+  });
 }
 
 SmoothingWorkspace::FormKey SmoothingWorkspace::form_key() {
@@ -161,7 +155,7 @@ SmoothingWorkspace::FormKey SmoothingWorkspace::form_key() {
           targets,
           refers_to_given(targets) ? given_ : nullptr,
           vcvs_.plane(),
-          in_space() && targets.vcv > 0 ? volume_vcvs() : nullptr,
+          targets.vcv > 0 ? volume_vcvs() : nullptr,
           vcvs_.by_hand(),
           roles_,
           run_.urgent};
@@ -179,7 +173,7 @@ const typename Form::Pattern& SmoothingWorkspace::energy_pattern(
 std::shared_ptr<const VariationalForm> SmoothingWorkspace::make_form(const FormKey& key) {
   const NodeClasses* classes = key.pattern.unknowns.get();
   const int threads = key.pattern.threads;
-  if (in_space()) {
+  if (!key.plane_vcvs) {  // of a volume mesh
     const CellTargets<3> targets = volume_targets(
         classes->topology(), key.space_vcvs.get(), key.targets, key.given.get(), threads,
         key.urgent, {classes, key.stencils.get(), key.pattern.guarded, key.roles.get()});
@@ -242,6 +236,18 @@ SmoothingWorkspace::TimesMade SmoothingWorkspace::times_made() const {
           made_.form.times_made(), made_.computed_vcvs.times_made(),
           made_.linear.times_made() + made_.symmetric_linear.times_made() +
               made_.newton_linear.times_made()};
+}
+
+SolverCache::SolverCache() = default;
+SolverCache::~SolverCache() = default;
+SolverCache::SolverCache(SolverCache&& other) noexcept = default;
+SolverCache& SolverCache::operator=(SolverCache&& other) noexcept = default;
+
+void SolverCache::clear() { workspace_.reset(); }
+
+SmoothingWorkspace& SolverCache::workspace() {
+  if (!workspace_) workspace_ = std::make_unique<SmoothingWorkspace>();
+  return *workspace_;
 }
 
 }  // namespace winslow

@@ -8,12 +8,46 @@
 #include "core/outer/equation_newton.h"
 #include "core/outer/outer_solver.h"
 #include "core/outer/picard_solver.h"
-#include "core/strategy/keyed.h"
 #include "core/strategy/mesh_state.h"
 #include "core/strategy/smooth_options.h"
 #include "core/vcv/sphere/star_builder.h"
 
 namespace winslow {
+
+/// Keeps what is made from some inputs, and makes it anew when one of them is another:
+///
+///   Keyed<PatternKey, std::shared_ptr<const Pattern>> pattern_;
+///   const auto& pattern = pattern_.of({unknowns, threads}, [&] { return make_pattern(); });
+///
+/// The key names all inputs, and is compared by ==. Large inputs are shared_ptrs in it, compared by
+/// identity: the key keeps them alive, so that no other object can come to lie where one of them
+/// lay. Nothing has to say that a product is out of date.
+template <typename Key, typename Product>
+class Keyed {
+ public:
+  /// The product of this key, made by make() unless it is the last one that was asked for. If
+  /// make() throws, there is none, and the next call makes it.
+  template <typename Make>
+  const Product& of(const Key& key, Make&& make) {
+    if (!kept_ || !(kept_->key == key)) {
+      kept_.reset();
+      Product product = std::forward<Make>(make)();
+      kept_.emplace(Kept{key, std::move(product)});
+      ++times_made_;
+    }
+    return kept_->product;
+  }
+  /// How often a product was made.
+  std::size_t times_made() const { return times_made_; }
+
+ private:
+  struct Kept {
+    Key key;
+    Product product;
+  };
+  std::optional<Kept> kept_;
+  std::size_t times_made_ = 0;
+};
 
 /// What the options of a smoothing run mean to its solvers.
 inline NewtonOptions newton_options(const SmoothOptions& options) {
@@ -63,6 +97,10 @@ class SmoothingWorkspace {
   /// newton() are others then.
   bool drop_guards_broken_at(const Coordinates& x);
 
+  /// Whether the equations are over VCVs that follow the mesh: adjusted ones of a volume mesh.
+  bool vcvs_follow_mesh() const {
+    return in_space() && refers_to_vcvs(options_) && follows_mesh(options_.vcv);
+  }
   /// Adjusted VCVs of a volume mesh take the angles of the mesh as it is now, up to the next
   /// prepare(); those of all other kinds stay. Returns how many changed.
   Index adjust_vcvs(const Coordinates& x);
@@ -84,7 +122,7 @@ class SmoothingWorkspace {
   LinearSolver& linear() { return *general_solver(made_.linear); }
   /// For the pointwise form's Jacobians.
   LinearSolver& newton_linear() { return *general_solver(made_.newton_linear); }
-  /// Of a volume mesh, as the options, prepare() and adjust_vcvs() have them.
+  /// Of a volume mesh, as the options, prepare() and adjust_vcvs() have them; null: of another.
   std::shared_ptr<const VolumeVcvs> volume_vcvs();
   ClipVariants<EquationProblem> pointwise();
 
@@ -206,16 +244,14 @@ class SmoothingWorkspace {
   const ComputedVcvs& computed_vcvs();
   const std::shared_ptr<LinearSolver>& general_solver(KeyedSolver& solver);
   const std::shared_ptr<LinearSolver>& shared_symmetric_linear();
-  template <int D>
-  ClipVariants<EquationProblem> make_pointwise(const PointwiseKey& key) const;
   FormKey form_key();
   std::shared_ptr<const VariationalForm> make_form(const FormKey& key);
   template <typename Form>
   const typename Form::Pattern& energy_pattern(const EnergyPatternKey& key,
                                                const typename Form::Targets& targets);
 
-  // What prepare() was told. If the first and the last of these are equal to what the run before
-  // had, they are the same objects.
+  // What prepare() was told. unknowns_ and given_ stay the objects of the run before if they are
+  // equal to them: keys compare objects.
   Classes unknowns_;  // whose nodes move as those of classes_ do
   Classes classes_;
   SmoothOptions options_;

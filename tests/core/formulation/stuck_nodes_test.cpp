@@ -1,4 +1,3 @@
-#include "core/formulation/stuck_nodes.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +9,6 @@
 #include "core/formulation/surface_winslow.h"
 #include "core/formulation/target_shapes.h"
 #include "core/formulation/variational_winslow.h"
-#include "core/formulation/volume_targets.h"
 #include "core/problem/node_unknowns.h"
 #include "support/random.h"
 #include "support/space_meshes.h"

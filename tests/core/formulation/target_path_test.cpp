@@ -1,5 +1,6 @@
 #include "core/formulation/target_path.h"
 #include "core/formulation/target_shapes.h"
+#include "core/formulation/variational_winslow.h"
 
 #include <doctest/doctest.h>
 
@@ -26,7 +27,7 @@ TEST_CASE("a mesh is the minimum for its own shapes, and the path from there end
     const auto wanted = std::make_shared<const VariationalWinslow>(
         free_interior(mesh.topology), TargetShapes::build(vcv, {0, 0.5, 0.5, 0}, nullptr, 1),
         PenaltyOptions{}, 1);
-    const ShapePath<2> path(wanted, mesh.coordinates, 1);
+    const ShapePath<2> path(wanted, PlanePoints(mesh.coordinates), 1);
     CHECK(path.form_at(0)->residual(mesh.coordinates, {}).max < 1e-10);
     CHECK(path.form_at(0)->worst_distortion(mesh.coordinates) == doctest::Approx(1));
     CHECK(path.form_at(1) == wanted);

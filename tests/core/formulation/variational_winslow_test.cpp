@@ -99,7 +99,7 @@ std::array<double, 4 * distortion::TriangleSum::size> hessian_of(
   data.terms = &term.ab;
   data.penalty = penalty;
   std::array<double, 4 * distortion::TriangleSum::size> out{};
-  distortion::triangle_kernel().sum(data, &triangle, 1, 0, out.data());
+  distortion::fastest_kernel<2>().sum(data, &triangle, 1, 0, out.data());
   return out;
 }
 

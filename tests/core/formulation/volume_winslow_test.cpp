@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "core/formulation/distortion.h"
+#include "core/formulation/simplex_kernel.h"
 #include "core/formulation/target_path.h"
-#include "core/formulation/tetrahedron_kernel.h"
+#include "core/formulation/target_shapes.h"
 #include "core/formulation/variational_form.h"
 #include "core/formulation/variational_winslow.h"
-#include "core/formulation/volume_targets.h"
 #include "core/quality/quality.h"
 #include "core/quality/volume_element.h"
 #include "support/formulations.h"
@@ -177,7 +177,7 @@ TEST_CASE("the projected Hessian of a tetrahedron is the exact one without its n
       data.terms = &term.a11;
       data.penalty = psi.constants();
       std::array<double, 4 * distortion::SimplexLayout<3>::sum> sum{};
-      const double energy = distortion::tetrahedron_kernel().sum(data, &cell, 1, 0, sum.data());
+      const double energy = distortion::fastest_kernel<3>().sum(data, &cell, 1, 0, sum.data());
       // f by its definition: J maps the target to the tetrahedron.
       const Eigen::Matrix3d j = corner.edges * target.inverse();
       const double f = j.squaredNorm() / (3 * std::pow(j.determinant(), 2.0 / 3.0));
@@ -186,7 +186,7 @@ TEST_CASE("the projected Hessian of a tetrahedron is the exact one without its n
       CHECK(energy == doctest::Approx(0.7 * (power + (penalty.knee > 0 ? f : 0))).epsilon(1e-10));
       const Matrix12 exact = full(sum.data());
       std::array<double, 4 * distortion::SimplexLayout<3>::sum> blocks{};
-      distortion::tetrahedron_kernel().sum_projected(data, &cell, 1, 0, blocks.data());
+      distortion::fastest_kernel<3>().sum_projected(data, &cell, 1, 0, blocks.data());
       // The projection is done over J: E = J W, so dE = dJ W and the metric there is A.
       const Eigen::Matrix3d root = metric_of(term).llt().matrixL();
       Eigen::Matrix<double, 9, 12> to_j = Eigen::Matrix<double, 9, 12>::Zero();
@@ -210,7 +210,7 @@ TEST_CASE("the projected Hessian of a tetrahedron is the exact one without its n
 }
 
 TEST_CASE("both versions of the loops over tetrahedra give the same bits") {
-  const distortion::TetrahedronKernel* fast = distortion::avx2_tetrahedron_kernel();
+  const distortion::TetrahedronKernel* fast = distortion::avx2_kernel<3>();
   if (!fast) return;
   const Mesh mesh = shaken_cube(Volumes::tetrahedra);
   const auto targets = volume_targets(*mesh.topology, nullptr, {}, &mesh.coordinates, 1);
@@ -231,7 +231,7 @@ TEST_CASE("both versions of the loops over tetrahedra give the same bits") {
       data.curvature_share = 0;
     }
     std::vector<double> a(distortion::SimplexLayout<3>::sum * (targets.cells.size() + 3)), b(a);
-    const auto& portable = distortion::portable_tetrahedron_kernel();
+    const auto& portable = distortion::portable_kernel<3>();
     CHECK(portable.energy(data, 0, count) == fast->energy(data, 0, count));
     CHECK(portable.sum(data, list.data(), count, 0, a.data()) ==
           fast->sum(data, list.data(), count, 0, b.data()));
@@ -281,7 +281,7 @@ TEST_CASE("a volume mesh is the minimum for its own shapes, and its boundary mov
     const Mesh mesh = shaken_cube(volumes);
     const auto form = std::make_shared<const VolumeWinslow>(
         form_of(mesh, TargetBlend::regular(), PenaltyOptions{}));
-    const ShapePath<3> path(form, mesh.coordinates, 1);
+    const ShapePath<3> path(form, SpacePoints(mesh.coordinates), 1);
     CHECK(path.form_at(0)->residual(mesh.coordinates, {}).max < 1e-10);
     CHECK(path.form_at(0)->worst_distortion(mesh.coordinates) == doctest::Approx(1));
     CHECK(path.form_at(1) == form);

@@ -2,7 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include "core/command/command.h"
+#include "core/motion/rigid_motion.h"
+#include "core/quality/quality.h"
 #include "support/meshes.h"
+#include "support/space_meshes.h"
 
 using namespace winslow;
 using namespace winslow::test;
@@ -50,4 +54,114 @@ TEST_CASE("nothing to do is no motion") {
   const auto transfer =
       make_transfer(NodeClasses(mesh.topology), mesh.coordinates, mesh.coordinates);
   CHECK(transfer->nodes().empty());
+}
+
+namespace {
+
+Mesh ring() { return make_mesh(annulus(48, 12, 1.15, Cells::triangles)); }
+
+std::span<const Index> nodes_of(const Mesh& mesh, const char* marker) {
+  const Markers& markers = mesh.topology->markers();
+  return markers.nodes(*markers.find(marker));
+}
+
+std::vector<std::vector<Index>> bodies_of(std::span<const Index> nodes) {
+  return {std::vector<Index>(nodes.begin(), nodes.end())};
+}
+
+}  // namespace
+
+TEST_CASE("between two meshes of a turn there is one for every degree, valid, the body exact") {
+  const Mesh before = ring();
+  MoveCommand move;
+  move.bodies[0].markers = {"inner"};
+  move.bodies[0].motion.rotate = 12;
+  const Mesh after = execute(move, make_state(before)).state.mesh;
+  const auto nodes = nodes_of(before, "inner");
+  const auto between =
+      meshes_between(*before.topology, bodies_of(nodes), before.coordinates, after.coordinates);
+  REQUIRE(between.size() == 11);
+  for (std::size_t k = 0; k < between.size(); ++k) {
+    INFO("mesh ", k);
+    CHECK(check_validity(*before.topology, between[k]).inverted == 0);
+    const RigidMotion turn{static_cast<double>(k + 1), Vec2(0, 0), Vec2(0, 0)};
+    for (const Index node : nodes)
+      CHECK((between[k].xy(node) - transform(turn, before.coordinates.xy(node))).norm() < 1e-9);
+    for (const Index node : nodes_of(before, "outer"))
+      CHECK(between[k].xy(node) == before.coordinates.xy(node));
+  }
+}
+
+TEST_CASE("in space, too: the body turns about its axis, and the box around it stays") {
+  const Mesh before = box_with_body(5, Volumes::mixed);
+  MoveCommand move;
+  move.bodies[0].markers = {"body"};
+  move.bodies[0].motion.rotate = 12;
+  move.bodies[0].motion.axis = Vec3(1, -1, 0.5);
+  const Mesh after = execute(move, make_state(before)).state.mesh;
+  const auto nodes = nodes_of(before, "body");
+  const auto between =
+      meshes_between(*before.topology, bodies_of(nodes), before.coordinates, after.coordinates);
+  REQUIRE(between.size() == 11);
+  const Vec3 centre = space_bounds(before.coordinates, nodes).centre();
+  for (std::size_t k = 0; k < between.size(); ++k) {
+    INFO("mesh ", k);
+    CHECK(check_validity(*before.topology, between[k]).inverted == 0);
+    const RigidMotion turn{static_cast<double>(k + 1), centre, Vec3::Zero(),
+                           *move.bodies[0].motion.axis};
+    for (const Index node : nodes)
+      CHECK((between[k].xyz(node) - transform(turn, before.coordinates.xyz(node))).norm() < 1e-9);
+    for (const Index node : nodes_of(before, "far"))
+      CHECK(between[k].xyz(node) == before.coordinates.xyz(node));
+  }
+}
+
+TEST_CASE("between meshes of a shift there is one for every 2 % of the body; of no motion none") {
+  const Mesh mesh = ring();
+  const auto nodes = nodes_of(mesh, "inner");
+  const double extent = bounds(mesh.coordinates, nodes).size().norm();
+  MoveCommand move;
+  move.bodies[0].markers = {"inner"};
+  move.bodies[0].motion.translate = Vec2(0.1 * extent, 0);
+  const Coordinates to = execute(move, make_state(mesh)).state.mesh.coordinates;
+  CHECK(meshes_between(*mesh.topology, bodies_of(nodes), mesh.coordinates, to).size() == 4);
+  CHECK(
+      meshes_between(*mesh.topology, bodies_of(nodes), mesh.coordinates, mesh.coordinates).empty());
+  CHECK(meshes_between(*mesh.topology, {}, mesh.coordinates, to).empty());
+}
+
+TEST_CASE("what would be invalid on the way is left out") {
+  const Mesh mesh = ring();
+  const auto nodes = nodes_of(mesh, "inner");
+  // Turned upside down without the mesh: nothing in between is valid but the first few.
+  Coordinates to = mesh.coordinates;
+  for (const Index node : nodes)
+    to.set_xy(node, transform({170, Vec2(0, 0), Vec2(0, 0)}, to.xy(node)));
+  const auto between = meshes_between(*mesh.topology, bodies_of(nodes), mesh.coordinates, to);
+  CHECK(between.size() < 89);
+  for (const Coordinates& x : between) CHECK(check_validity(*mesh.topology, x).inverted == 0);
+}
+
+TEST_CASE("bodies that turn against each other are each where their own motion takes them") {
+  const Mesh before = make_mesh(square_with_two_holes(20, Cells::triangles));
+  MoveCommand move;
+  move.bodies = {{{"hole_a"}, {.rotate = 10}}, {{"hole_b"}, {.rotate = -5}}};
+  const Mesh after = execute(move, make_state(before)).state.mesh;
+  std::vector<std::vector<Index>> bodies;
+  for (const char* marker : {"hole_a", "hole_b"}) {
+    const auto nodes = nodes_of(before, marker);
+    bodies.emplace_back(nodes.begin(), nodes.end());
+  }
+  const auto between =
+      meshes_between(*before.topology, bodies, before.coordinates, after.coordinates);
+  REQUIRE(between.size() == 9);
+  for (std::size_t k = 0; k < between.size(); ++k) {
+    const double share = static_cast<double>(k + 1) / 10;
+    const RigidMotion a{10 * share, Vec2(0.3, 0.5), Vec2(0, 0)};
+    const RigidMotion b{-5 * share, Vec2(0.7, 0.5), Vec2(0, 0)};
+    for (const Index node : bodies[0])
+      CHECK((between[k].xy(node) - transform(a, before.coordinates.xy(node))).norm() < 1e-9);
+    for (const Index node : bodies[1])
+      CHECK((between[k].xy(node) - transform(b, before.coordinates.xy(node))).norm() < 1e-9);
+  }
 }

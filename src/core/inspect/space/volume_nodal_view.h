@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/formulation/nodal_operator.h"
-#include "core/formulation/volume_functionals.h"
+#include "core/formulation/stencil_operator.h"
 #include "core/vcv/sphere/node_vcv.h"
 
 namespace winslow {

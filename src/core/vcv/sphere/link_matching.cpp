@@ -7,11 +7,6 @@ namespace winslow {
 
 namespace {
 
-/// The half-edge that follows around the triangle.
-Index half_edge_after(Index half_edge) {
-  return half_edge - half_edge % 3 + (half_edge % 3 + 1) % 3;
-}
-
 /// Takes one link to another, from the image of the half-edge 0 on.
 class LinkMap {
  public:
@@ -27,7 +22,7 @@ class LinkMap {
       const Index h = todo_.back();
       todo_.pop_back();
       const Index g = images_[at(h)];
-      if (!put(half_edge_after(h), half_edge_after(g)) || !put(from_.twin(h), to_.twin(g)))
+      if (!put(SphereLink::next_of(h), SphereLink::next_of(g)) || !put(from_.twin(h), to_.twin(g)))
         return false;
     }
     return true;

@@ -15,10 +15,6 @@ std::string edge_text(Index a, Index b) {
   throw UsageError("the link is no triangulated sphere: " + found);
 }
 
-/// The next half-edge of the same triangle that leaves the vertex which this one reaches.
-Index next_of(Index half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
-Index previous_of(Index half_edge) { return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1; }
-
 }  // namespace
 
 void SphereLink::assign(Index vertices, std::span<const Triangle> triangles) {

@@ -75,6 +75,13 @@ class SphereLink {
   Index triangle_count() const { return static_cast<Index>(triangles_.size()); }
   std::span<const Triangle> triangles() const { return triangles_; }
 
+  /// The half-edge that follows around the triangle, and the one before.
+  static Index next_of(Index half_edge) {
+    return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
+  }
+  static Index previous_of(Index half_edge) {
+    return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1;
+  }
   /// The half-edge on the other side.
   Index twin(Index half_edge) const { return twins_[at(half_edge)]; }
   Index start_of(Index half_edge) const { return triangles_[at(half_edge / 3)][at(half_edge % 3)]; }

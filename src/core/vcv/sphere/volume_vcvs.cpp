@@ -13,9 +13,8 @@ namespace {
 constexpr Index star_block = 64;
 
 void require_volume(const Topology& topology) {
-  if (topology.cell_dimension() == 3) return;
-  throw UsageError("virtual control volumes of solid angles: expected a volume mesh, found a " +
-                   std::string(mesh_kind(topology)));
+  require_volume(topology,
+                 "virtual control volumes of solid angles: expected a volume mesh, found a ");
 }
 
 }  // namespace
@@ -142,7 +141,7 @@ Index VolumeVcvs::solve(const Coordinates* physical, bool first) {
       targets_.assign(rows_.back(), 0.0F);
     }
   }
-  std::vector<Index> solved(at((count + star_block - 1) / star_block), 0);
+  std::vector<Index> solved(block_count(count, star_block), 0);
   parallel_for(
       options_.threads, count,
       [&](Index begin, Index end) {
@@ -152,9 +151,7 @@ Index VolumeVcvs::solve(const Coordinates* physical, bool first) {
         }
       },
       star_block);
-  Index total = 0;
-  for (const Index n : solved) total += n;
-  return total;
+  return std::accumulate(solved.begin(), solved.end(), Index{0});
 }
 
 Vec3 VolumeVcvs::computed(Index node, Index k) const {
@@ -265,7 +262,7 @@ void add(VolumeVcvStatistics& total, const VolumeVcvStatistics& part) {
 VolumeVcvStatistics measure_vcvs(const VolumeVcvs& vcvs, int threads) {
   constexpr Index block = 256;
   const auto count = static_cast<Index>(vcvs.topology().interior_nodes().size());
-  std::vector<VolumeVcvStatistics> parts(at((count + block - 1) / block));
+  std::vector<VolumeVcvStatistics> parts(block_count(count, block));
   parallel_for(
       threads, count,
       [&](Index begin, Index end) {

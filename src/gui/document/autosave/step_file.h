@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/command/command.h"
-#include "core/formulation/element_roles.h"
+#include "core/formulation/cell_targets.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh_data.h"
 #include "core/mesh/topology.h"

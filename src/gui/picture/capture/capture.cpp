@@ -4,7 +4,7 @@
 
 #include "core/command/motion_frames.h"
 #include "core/error.h"
-#include "core/motion/meshes_between.h"
+#include "core/motion/transfer.h"
 #include "gui/files/assets.h"
 #include "gui/picture/figure/write_figure.h"
 

@@ -1,4 +1,4 @@
-#include "core/formulation/volume_functionals.h"
+#include "core/formulation/stencil_operator.h"
 
 #include <doctest/doctest.h>
 

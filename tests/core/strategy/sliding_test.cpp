@@ -1,4 +1,4 @@
-#include "core/strategy/held_spacing.h"
+#include "core/strategy/sliding.h"
 
 #include <doctest/doctest.h>
 

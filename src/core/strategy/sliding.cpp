@@ -1,9 +1,15 @@
-#include "core/strategy/held_spacing.h"
+#include "core/strategy/sliding.h"
 
+#include <set>
+
+#include "core/error.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/corner_tetrahedra.h"
 #include "core/mesh/surface_faces.h"
+#include "core/options/option.h"
+#include "core/quality/quality.h"
 #include "core/quality/wall_measures.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
 
@@ -57,13 +63,8 @@ class RowMotion final : public Motion {
     motion_.apply(rest, fraction, out);
     for (const auto& row : rows_) {
       const auto places = row->places(place_of(out, row->first()), place_of(out, row->last()));
-      for (std::size_t k = 0; k < places.between.size(); ++k) {
-        const Vec3& p = places.between[k].point;
-        if (out.dimension() == 3)
-          out.set_xyz(row->between()[k], p);
-        else
-          out.set_xy(row->between()[k], p.head<2>());
-      }
+      for (std::size_t k = 0; k < places.between.size(); ++k)
+        set_place(out, row->between()[k], places.between[k].point);
     }
   }
 
@@ -96,8 +97,8 @@ std::vector<SlidingPart*> held_parts(const SlideOptions& slide, const Mesh& mesh
   return held;
 }
 
-/// A row of which a node is held otherwise stays, and so do its ends where they slide; so does such
-/// an end where a body moves the other.
+/// Fixes the ends of a row that slide, if the row cannot move because one of its nodes is held for
+/// another reason, or if a body moves the other end.
 void hold_ends(const CurveRow& row, NodeClasses& classes) {
   const bool whole = std::ranges::all_of(
       row.between(), [&](Index node) { return classes[node] == NodeClass::on_curve; });
@@ -108,7 +109,8 @@ void hold_ends(const CurveRow& row, NodeClasses& classes) {
   }
 }
 
-/// Ends that slide do so on the curve of the row: a closed row, or one between periodic corners.
+/// What becomes of the nodes between the ends. Ends slide along the row itself only where it is
+/// closed or lies between periodic corners.
 Spacing spacing_of(const CurveRow& row, const NodeClasses& classes) {
   const bool moves = classes.moves(row.first()) || classes.moves(row.last());
   const bool taken =
@@ -152,6 +154,117 @@ CurveRows hold_spacing(const SlideOptions& slide, const Mesh& mesh, MovingBounda
 
 std::unique_ptr<const Motion> with_rows(const Motion& motion, const CurveRows& rows) {
   return std::make_unique<RowMotion>(motion, rows);
+}
+
+namespace {
+
+/// A node of a body and one beside it that slides, on a face of the boundary.
+struct Junction {
+  Index moving, sliding;
+  std::size_t part;
+};
+
+std::vector<Junction> find_junctions(const Topology& topology, std::span<const Index> moving,
+                                     const std::vector<SlidingPart>& parts) {
+  std::vector<bool> moves(at(topology.node_count()), false);
+  for (const Index node : moving) moves[at(node)] = true;
+  std::map<Index, std::size_t> part_of;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    for (const Index node : parts[p].nodes) part_of[node] = p;
+  std::vector<Junction> junctions;
+  for (Index f = 0; f < topology.face_count(); ++f) {
+    const auto face = topology.face(f);
+    if (face.elements[1] >= 0) continue;
+    for (const Index node : face.nodes) {
+      if (!moves[at(node)]) continue;
+      for (const Index other : face.nodes)
+        if (const auto part = part_of.find(other); part != part_of.end())
+          junctions.push_back({node, other, part->second});
+    }
+  }
+  return junctions;
+}
+
+/// Along the whole motion the bodies' nodes are where the geometry has them.
+void require_along(const Mesh& mesh, const Motion& motion, const std::vector<SlidingPart>& parts,
+                   std::span<const Junction> junctions, const NodeClasses& classes) {
+  const int dimension = mesh.coordinates.dimension();
+  constexpr double share = 1e-6;
+  for (const double fraction : {1.0, 0.5, 0.25}) {
+    Coordinates x = mesh.coordinates;
+    motion.apply(mesh.coordinates, fraction, x);
+    for (const Junction& junction : junctions) {
+      const Vec3 rest = place_of(mesh.coordinates, junction.moving);
+      const Vec3 place = place_of(x, junction.moving);
+      const Foot foot = classes.foot(junction.sliding, place);
+      // A node on a feature line says nothing of the surfaces beside it.
+      if (foot.frame.count() < dimension - 1) continue;
+      const SlidingPart& part = parts[junction.part];
+      Box<3> box = Box<3>::empty();
+      for (const Index node : part.nodes) box.add(place_of(mesh.coordinates, node));
+      const double off = (foot.point - place).norm();
+      if (off <= share * (box.size().norm() + (place - rest).norm())) continue;
+      throw UsageError("node " + std::to_string(junction.moving) + " at " +
+                       place_text(rest, dimension) + " stands on \"" + part.marker +
+                       "\", which slides (" + part.description +
+                       "): expected a motion along it, and this one takes the node off it by " +
+                       number_text(off));
+    }
+  }
+}
+
+}  // namespace
+
+void let_bodies_slide(const Mesh& mesh, const Motion& motion, const NodeClasses& classes,
+                      MovingBoundary& boundary) {
+  if (boundary.sliding.empty()) return;
+  const std::vector<Junction> junctions =
+      find_junctions(*mesh.topology, motion.nodes(), boundary.sliding);
+  if (junctions.empty()) return;
+  require_along(mesh, motion, boundary.sliding, junctions, classes);
+  std::set<std::size_t> attached;
+  for (const Junction& junction : junctions) attached.insert(junction.part);
+  for (const std::size_t part : attached) {
+    const std::vector<Index>& nodes = boundary.sliding[part].nodes;
+    boundary.yielding.insert(boundary.yielding.end(), nodes.begin(), nodes.end());
+  }
+}
+
+std::vector<Index> yielding_nodes(const MovingBoundary& boundary, const NodeClasses& classes) {
+  std::vector<Index> nodes = boundary.yielding;
+  for (const NodeImage& pair : classes.tied().images())
+    nodes.insert(nodes.end(), {pair.node, pair.image});
+  std::ranges::sort(nodes);
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+ReferenceStart put_on_reference(const SlideOptions& slide, const MeshState& state,
+                                const Coordinates* start) {
+  if (slide.markers.empty())
+    throw UsageError(slide.reference.name +
+                     ": a reference surface is for nodes that slide: name their markers");
+  const Topology& topology = *state.mesh.topology;
+  const SlidingBoundary boundary = SlidingBoundary::find(
+      topology, state.mesh.coordinates, slide.markers, feature_rules(slide), reference_of(slide));
+  ReferenceStart out{state, std::nullopt};
+  out.state.mesh.coordinates = put_on(boundary, std::move(out.state.mesh.coordinates));
+  if (start == nullptr) return out;
+  out.start = *start;
+  // What is no mesh of this kind is refused by the run.
+  if (!start->alike(state.mesh.coordinates)) return out;
+  out.start = put_on(boundary, std::move(*out.start));
+  if (check_validity(topology, *out.start).inverted > check_validity(topology, *start).inverted)
+    out.start.reset();
+  return out;
+}
+
+void require_no_more_inverted(const SlideOptions& slide, const Mesh& before, const Mesh& placed) {
+  const Index had = check_validity(*before.topology, before.coordinates).inverted;
+  const Index has = check_validity(*placed.topology, placed.coordinates).inverted;
+  if (has > had)
+    throw UsageError(slide.reference.name + ": with their nodes put onto this surface " +
+                     std::to_string(has) + " elements are inverted: smooth the mesh on it first");
 }
 
 }  // namespace winslow

@@ -4,6 +4,7 @@
 #include "core/mesh/mesh.h"
 #include "core/motion/motion.h"
 #include "core/problem/node_classes.h"
+#include "core/strategy/mesh_state.h"
 #include "core/strategy/slide_options.h"
 
 namespace winslow {
@@ -37,5 +38,34 @@ CurveRows hold_spacing(const SlideOptions& slide, const Mesh& mesh, MovingBounda
 
 /// A motion that also moves the rows which go with it. `motion` must outlive the result.
 std::unique_ptr<const Motion> with_rows(const Motion& motion, const CurveRows& rows);
+
+/// A body that stands on a boundary that slides may move along it: what it stands on gives way on
+/// one side of it and follows on the other, so that nothing of it is in the body's way. Sets
+/// boundary.yielding. Throws UsageError, naming the first node, where the motion takes the foot of
+/// the body off the line, circle, plane, cylinder or sphere that it stands on; other curves and
+/// surfaces are known only where the mesh has nodes of them.
+void let_bodies_slide(const Mesh& mesh, const Motion& motion, const NodeClasses& classes,
+                      MovingBoundary& boundary);
+
+/// Nodes of the boundary that give way to a body that moves, so that nothing touches their edges
+/// and faces: those of periodic pairs, and boundary.yielding. Ascending.
+std::vector<Index> yielding_nodes(const MovingBoundary& boundary, const NodeClasses& classes);
+
+/// What a run of a volume mesh begins from: its sliding nodes on the reference surface of its
+/// options.
+struct ReferenceStart {
+  MeshState state;
+  /// As RunOptions::start; none where there was none, and where it would have inverted elements.
+  std::optional<Coordinates> start;
+};
+
+/// Puts the nodes that slide onto the reference surface. Throws UsageError for one that nothing
+/// slides on, or that was not read.
+ReferenceStart put_on_reference(const SlideOptions& slide, const MeshState& state,
+                                const Coordinates* start);
+
+/// A motion leads through valid meshes. Throws UsageError where nodes that were put onto the
+/// surface have inverted elements of the mesh.
+void require_no_more_inverted(const SlideOptions& slide, const Mesh& before, const Mesh& placed);
 
 }  // namespace winslow

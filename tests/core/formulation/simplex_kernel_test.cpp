@@ -1,4 +1,4 @@
-#include "core/formulation/triangle_kernel.h"
+#include "core/formulation/simplex_kernel.h"
 
 #include <doctest/doctest.h>
 
@@ -91,7 +91,7 @@ TEST_CASE("the energy of triangles is the sum of what their distortions cost") {
         }
       }
       const distortion::SimplexData data = sample.data(penalty, false);
-      const TriangleKernel& kernel = distortion::triangle_kernel();
+      const TriangleKernel& kernel = distortion::fastest_kernel<2>();
       CHECK(kernel.energy(data, 0, count) == doctest::Approx(expected).epsilon(1e-12));
       // The sums' energy, all together and split at a triangle.
       std::vector<double> sums(24 * TriangleSum::size);
@@ -110,16 +110,16 @@ TEST_CASE("a triangle without area makes the energy infinite, unless it is regul
   Sample sample(random, 9, true);
   std::swap(sample.nodes[12], sample.nodes[13]);
   const distortion::SimplexData data = sample.data({8, 1.78}, false);
-  CHECK(std::isinf(distortion::triangle_kernel().energy(data, 0, 9)));
-  CHECK(std::isfinite(distortion::triangle_kernel().energy(data, 0, 4)));
+  CHECK(std::isinf(distortion::fastest_kernel<2>().energy(data, 0, 9)));
+  CHECK(std::isfinite(distortion::fastest_kernel<2>().energy(data, 0, 4)));
   const distortion::SimplexData soft = sample.data({8, 1.78}, true);
-  CHECK(std::isfinite(distortion::triangle_kernel().energy(soft, 0, 9)));
+  CHECK(std::isfinite(distortion::fastest_kernel<2>().energy(soft, 0, 9)));
 }
 
 TEST_CASE("a triangle's sum has the lengths of its edges and its corners' forces balance") {
   Random random(3);
   const Sample sample(random, 7, true);
-  const auto sums = sums_of(distortion::triangle_kernel(), sample, sample.data({2, 0}, false));
+  const auto sums = sums_of(distortion::fastest_kernel<2>(), sample, sample.data({2, 0}, false));
   for (std::size_t i = 0; i < sample.list.size(); ++i) {
     const Index* n = &sample.nodes[3 * static_cast<std::size_t>(sample.list[i])];
     const double* corner = &sums[i * TriangleSum::size + TriangleSum::corners];
@@ -143,7 +143,7 @@ TEST_CASE("sums are scattered to their rows and blocks") {
   const std::vector<SimplexPlaces<2>> places{{{0, 1, 2}, {1, 2, 3, 4, 5, 6}},
                                              {{1, 3, 0}, {7, 0, 2, 1, 0, 8}}};
   std::vector<double> rows(4 * 8), blocks(9 * 4), rows_alone(4 * 8);
-  const TriangleKernel& kernel = distortion::triangle_kernel();
+  const TriangleKernel& kernel = distortion::fastest_kernel<2>();
   kernel.scatter(sums.data(), places.data(), 2, rows.data(), blocks.data());
   kernel.scatter(sums.data(), places.data(), 2, rows_alone.data(), nullptr);
   CHECK(rows == rows_alone);
@@ -168,12 +168,12 @@ TEST_CASE("sums are scattered to their rows and blocks") {
 }
 
 TEST_CASE("every version of the kernel gives the same bits") {
-  const TriangleKernel* fast = distortion::avx2_triangle_kernel();
+  const TriangleKernel* fast = distortion::avx2_kernel<2>();
   if (!fast) {
     MESSAGE("no AVX2 here: one version only");
     return;
   }
-  const TriangleKernel& portable = distortion::portable_triangle_kernel();
+  const TriangleKernel& portable = distortion::portable_kernel<2>();
   Random random(5);
   for (const PenaltyOptions& penalty : penalties) {
     for (const bool regularised : {false, true}) {

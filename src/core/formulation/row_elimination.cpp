@@ -1,9 +1,26 @@
-#include "core/formulation/follower_rows.h"
+#include "core/formulation/row_elimination.h"
+
+#include <Eigen/Eigenvalues>
 
 #include "core/linear/pattern_builder.h"
 #include "core/mesh/coordinates.h"
 
 namespace winslow {
+
+namespace {
+
+/// A matrix of D by D blocks like another, of zeros in that pattern.
+template <int D>
+void set_zero(const SparseMatrix& like, const std::shared_ptr<const SparsityPattern>& pattern,
+              SparseMatrix& out) {
+  out.pattern = pattern;
+  out.block = D;
+  out.symmetric = like.symmetric;
+  out.in_space = like.in_space;
+  out.values.assign(D * D * pattern->columns.size(), 0.0);
+}
+
+}  // namespace
 
 template <int D>
 FollowerRows<D>::FollowerRows(const NodeUnknowns& nodes, std::span<const Index> row_of_node,
@@ -70,13 +87,6 @@ typename FollowerRows<D>::Parts FollowerRows<D>::parts_of(std::span<const Lever>
 }
 
 template <int D>
-Index FollowerRows<D>::entry(Index row, Index column) const {
-  const auto first = pattern_->columns.begin() + pattern_->offsets[at(row)];
-  const auto last = pattern_->columns.begin() + pattern_->offsets[at(row) + 1];
-  return static_cast<Index>(std::lower_bound(first, last, column) - pattern_->columns.begin());
-}
-
-template <int D>
 void FollowerRows<D>::reduce(std::span<const Lever> levers, std::span<const double> full,
                              std::span<double> out) const {
   std::copy_n(full.begin(), out.size(), out.begin());
@@ -94,14 +104,10 @@ void FollowerRows<D>::reduce(std::span<const Lever> levers, std::span<const doub
 template <int D>
 void FollowerRows<D>::reduce(std::span<const Lever> levers, std::span<const double> residual,
                              bool convex, const SparseMatrix& full, SparseMatrix& out) const {
-  out.pattern = pattern_;
-  out.block = D;
-  out.symmetric = full.symmetric;
-  out.in_space = full.in_space;
   constexpr std::size_t size = std::size_t{D} * D;  // of a block
-  out.values.assign(size * pattern_->columns.size(), 0.0);
+  set_zero<D>(full, pattern_, out);
   const auto to = [&](Index row, Index column) {
-    return Eigen::Map<Block>(&out.values[at(entry(row, column)) * size]);
+    return Eigen::Map<Block>(&out.values[at(pattern_->find(row, column)) * size]);
   };
   for (std::size_t i = 0; i < own_ + ends_.size(); ++i) {
     const Parts left = parts_of(levers, i);
@@ -155,15 +161,11 @@ PeriodicRows<D>::PeriodicRows(const NodeUnknowns& nodes,
     for (auto e = at(full_->offsets[i]); e < at(full_->offsets[i + 1]); ++e)
       columns[at(row_[i])].push_back(row_[at(full_->columns[e])]);
   auto reduced = pattern_of(std::move(columns));
-  for (std::size_t i = 0; i < all; ++i) {
-    const auto first = reduced->columns.begin() + reduced->offsets[at(row_[i])];
-    const auto last = reduced->columns.begin() + reduced->offsets[at(row_[i]) + 1];
+  for (std::size_t i = 0; i < all; ++i)
     for (auto e = at(full_->offsets[i]); e < at(full_->offsets[i + 1]); ++e) {
-      const auto place = std::lower_bound(first, last, row_[at(full_->columns[e])]);
-      entry_.push_back(static_cast<Index>(place - reduced->columns.begin()));
+      entry_.push_back(reduced->find(row_[i], row_[at(full_->columns[e])]));
       row_of_entry_.push_back(static_cast<Index>(i));
     }
-  }
   pattern_ = std::move(reduced);
 }
 
@@ -179,12 +181,8 @@ void PeriodicRows<D>::reduce(std::span<const double> full, std::span<double> out
 
 template <int D>
 void PeriodicRows<D>::reduce(const SparseMatrix& full, SparseMatrix& out) const {
-  out.pattern = pattern_;
-  out.block = D;
-  out.symmetric = full.symmetric;
-  out.in_space = full.in_space;
   constexpr std::size_t size = std::size_t{D} * D;  // of a block
-  out.values.assign(size * pattern_->columns.size(), 0.0);
+  set_zero<D>(full, pattern_, out);
   for (std::size_t e = 0; e < entry_.size(); ++e) {
     const Eigen::Map<const Block> from(&full.values[e * size]);
     Eigen::Map<Block> to(&out.values[at(entry_[e]) * size]);
@@ -199,5 +197,103 @@ void PeriodicRows<D>::reduce(const SparseMatrix& full, SparseMatrix& out) const 
 
 template class PeriodicRows<2>;
 template class PeriodicRows<3>;
+
+namespace {
+
+template <int D>
+using Block = Eigen::Matrix<double, D, D, Eigen::RowMajor>;
+
+/// Columns: the directions of a foot; zero for those that it has not.
+template <int D>
+Block<D> directions(const Foot& foot) {
+  Block<D> q = Block<D>::Zero();
+  for (int k = 0; k < std::min(foot.frame.count(), D); ++k)
+    q.col(k) = foot.frame[k].template head<D>();
+  return q;
+}
+
+template <int D>
+Eigen::Map<Block<D>> block_of(SparseMatrix& matrix, Index entry) {
+  return Eigen::Map<Block<D>>(&matrix.values[at(entry) * D * D]);
+}
+
+}  // namespace
+
+Eigen::Matrix2d bending(const Foot& foot, const Vec3& gradient, bool convex) {
+  Eigen::Matrix2d m;
+  m << gradient.dot(foot.bend[0]), gradient.dot(foot.bend[1]), gradient.dot(foot.bend[1]),
+      gradient.dot(foot.bend[2]);
+  if (!convex || m.isZero(0)) return m;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(m);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
+template <int D>
+SlidingRows<D>::SlidingRows(const NodeUnknowns& nodes, const SparsityPattern& pattern) {
+  for (std::size_t i = 0; i < nodes.nodes().size(); ++i) {
+    if (!nodes.classes().slides(nodes.nodes()[i])) continue;
+    if (slot_.empty()) slot_.assign(at(pattern.rows()), -1);
+    slot_[i] = static_cast<Index>(rows_.size());
+    rows_.push_back(static_cast<Index>(i));
+  }
+}
+
+template <int D>
+std::vector<Foot> SlidingRows<D>::feet(const NodeUnknowns& nodes, const Coordinates& x) const {
+  std::vector<Foot> feet;
+  feet.reserve(rows_.size());
+  for (const Index row : rows_) {
+    const Index node = nodes.nodes()[at(row)];
+    Vec3 point(0, 0, 0);
+    point.template head<D>() = x.get<D>(node);
+    feet.push_back(nodes.classes().foot(node, point));
+  }
+  return feet;
+}
+
+template <int D>
+double SlidingRows<D>::along(const Foot& foot, const double* v) {
+  const Eigen::Map<const Vec<D>> vector(v);
+  return (directions<D>(foot).transpose() * vector).norm();
+}
+
+template <int D>
+void SlidingRows<D>::restrict(std::span<const Foot> feet, std::span<double> residual) const {
+  for (std::size_t s = 0; s < rows_.size(); ++s) {
+    Eigen::Map<Vec<D>> own(residual.data() + D * at(rows_[s]));
+    own = (directions<D>(feet[s]).transpose() * own).eval();
+  }
+}
+
+template <int D>
+void SlidingRows<D>::restrict(std::span<const Foot> feet, std::span<const double> residual,
+                              bool convex, SparseMatrix& matrix) const {
+  const SparsityPattern& pattern = *matrix.pattern;
+  for (std::size_t s = 0; s < rows_.size(); ++s) {
+    const Index row = rows_[s];
+    const Foot& foot = feet[s];
+    const Block<D> q = directions<D>(foot);
+    const double scale = block_of<D>(matrix, pattern.diagonal[at(row)]).trace() / D;
+    for (Index e = pattern.offsets[at(row)]; e < pattern.offsets[at(row) + 1]; ++e) {
+      auto left = block_of<D>(matrix, e);
+      left = (q.transpose() * left).eval();
+      auto right = block_of<D>(matrix, pattern.find(pattern.columns[at(e)], row));
+      right = (right * q).eval();
+    }
+    auto diagonal = block_of<D>(matrix, pattern.diagonal[at(row)]);
+    Vec3 gradient(0, 0, 0);
+    for (int k = 0; k < D; ++k) gradient[k] = -residual[D * at(row) + at(k)];
+    const Eigen::Matrix2d bend = bending(foot, gradient, convex);
+    const int unknowns = foot.frame.count();
+    const int bends = std::min(unknowns, 2);
+    diagonal.topLeftCorner(bends, bends) += bend.topLeftCorner(bends, bends);
+    for (int k = unknowns; k < D; ++k) diagonal(k, k) = scale;
+    diagonal = (0.5 * (diagonal + diagonal.transpose())).eval();
+  }
+}
+
+template class SlidingRows<2>;
+template class SlidingRows<3>;
 
 }  // namespace winslow

@@ -1,4 +1,4 @@
-#include "core/strategy/kept_layers.h"
+#include "core/strategy/layering.h"
 
 #include <doctest/doctest.h>
 

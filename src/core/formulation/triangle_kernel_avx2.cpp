@@ -1,5 +1,0 @@
-// Compiled with -mavx2: includes nothing whose inline functions another file could end up with.
-#ifdef WINSLOW_HAS_AVX2
-#define WINSLOW_KERNEL avx2_kernel
-#include "core/formulation/triangle_kernel.inc"
-#endif
