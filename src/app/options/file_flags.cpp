@@ -1,10 +1,9 @@
-#include "app/options/file_flags.h"
+#include "app/options/flags.h"
 
 #include <unistd.h>
 
 #include <set>
 
-#include "app/options/suggestion.h"
 #include "core/error.h"
 #include "io/format/mesh_format.h"
 

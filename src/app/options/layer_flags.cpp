@@ -1,10 +1,9 @@
-#include "app/options/layer_flags.h"
+#include "app/options/flags.h"
 
 #include <charconv>
 #include <cstdlib>
 #include <system_error>
 
-#include "app/options/option_flags.h"
 #include "core/error.h"
 #include "core/layers/layer_plan.h"
 

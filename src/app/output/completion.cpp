@@ -1,4 +1,4 @@
-#include "app/output/completion.h"
+#include "app/output/reference.h"
 
 #include <algorithm>
 #include <array>

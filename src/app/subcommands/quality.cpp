@@ -1,8 +1,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/job/zone_runs.h"
-#include "app/options/file_flags.h"
+#include "app/job/edit_job.h"
+#include "app/options/flags.h"
 #include "app/output/report.h"
 #include "app/output/tables.h"
 #include "app/output/terminal.h"

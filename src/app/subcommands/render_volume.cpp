@@ -1,6 +1,6 @@
 #include <charconv>
 
-#include "app/options/suggestion.h"
+#include "app/options/flags.h"
 #include "app/subcommands/render_flags.h"
 #include "core/error.h"
 #include "core/inspect/element_field.h"

@@ -1,8 +1,7 @@
 #include <iostream>
 
-#include "app/job/markers.h"
-#include "app/options/file_flags.h"
-#include "app/options/suggestion.h"
+#include "app/job/edit_job.h"
+#include "app/options/flags.h"
 #include "app/output/terminal.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"

@@ -5,7 +5,7 @@
 #include <cctype>
 
 #include "io/format/mesh_format.h"
-#include "io/tables/boundary_file.h"
+#include "io/tables/table_files.h"
 
 namespace winslow::gui {
 

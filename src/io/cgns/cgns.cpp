@@ -2,7 +2,6 @@
 
 #include <iterator>
 
-#include "io/cgns/zone_writer.h"
 #include "io/format/periodicity.h"
 
 namespace winslow::io::cgns {

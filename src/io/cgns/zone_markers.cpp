@@ -1,6 +1,5 @@
 #include "io/cgns/zone_markers.h"
 
-#include <map>
 #include <set>
 
 namespace winslow::io::cgns {

@@ -1,8 +1,6 @@
 #include "io/cgns/cgns.h"
-#include "io/cgns/sections.h"
 #include "io/cgns/structured.h"
 #include "io/cgns/zone_markers.h"
-#include "io/cgns/zone_periodic.h"
 #include "io/cgns/zones.h"
 
 namespace winslow::io::cgns {

@@ -1,9 +1,9 @@
-#include "io/cgns/zone_writer.h"
+#include "io/cgns/cgns.h"
 
 #include <bit>
 #include <set>
 
-#include "io/cgns/sections.h"
+#include "io/cgns/zones.h"
 #include "io/format/mesh_in_space.h"
 #include "io/format/parsed_mesh.h"
 

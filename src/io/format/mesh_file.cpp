@@ -1,6 +1,5 @@
 #include "io/format/mesh_file.h"
 
-#include <map>
 #include <tuple>
 
 #include "core/error.h"

@@ -2,8 +2,8 @@
 
 #include "core/mesh/element_type.h"
 #include "core/mesh/mesh.h"
-#include "io/format/groups.h"
 #include "io/format/mesh_format.h"
+#include "io/format/parsed_mesh.h"
 
 /// Gmsh's MSH format, versions 2.2 and 4.1, ASCII and binary: Gmsh reference manual, "MSH file
 /// format".

@@ -1,4 +1,4 @@
-#include "io/gmsh/gmsh_periodic.h"
+#include "io/gmsh/section_readers.h"
 
 #include <cstdlib>
 #include <set>

@@ -3,7 +3,7 @@
 #include "io/format/mesh_in_space.h"
 #include "io/format/periodicity.h"
 #include "io/gmsh/gmsh.h"
-#include "io/gmsh/gmsh_periodic.h"
+#include "io/gmsh/section_readers.h"
 #include "io/text/numbers.h"
 
 namespace winslow::io::gmsh {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/format/groups.h"
 #include "io/format/mesh_format.h"
+#include "io/format/parsed_mesh.h"
 
 /// Medit's ASCII format (.mesh): P. Frey, "Medit: an interactive mesh visualization software",
 /// INRIA RT-0253 (2001), with the pyramids and prisms of libMeshb. Every entry ends in a reference:

@@ -5,9 +5,8 @@
 #include "core/layers/layer_plan.h"
 #include "core/motion/motion.h"
 #include "io/recipe/object_archive.h"
-#include "io/recipe/option_fields.h"
 #include "io/recipe/recipe.h"
-#include "io/tables/displacement_file.h"
+#include "io/tables/table_files.h"
 
 namespace winslow::io {
 

@@ -5,6 +5,7 @@
 
 #include "core/command/command.h"
 #include "core/error.h"
+#include "core/options/option.h"
 
 namespace winslow::io {
 
@@ -121,5 +122,16 @@ class ObjectWriter {
  private:
   nlohmann::json json_ = nlohmann::json::object();
 };
+
+/// A vector of two numbers or of three. Throws JsonValueError.
+GivenVector read_vector(const nlohmann::json& value, const std::string& path);
+/// As many numbers as it was given by; `otherwise` of them if the program found it.
+nlohmann::json vector_json(const GivenVector& vector, int otherwise = 3);
+
+/// Reads the options of a table from the keys that it says; what is not there stays as it is, but
+/// for what is required. Throws JsonValueError for values of the wrong type or out of range.
+void read_options(ObjectReader& reader, const OptionTable& table);
+/// Writes all of them. What is not set is left out.
+void write_options(ObjectWriter& writer, const OptionTable& table);
 
 }  // namespace winslow::io

@@ -1,6 +1,5 @@
 #include <bit>
 #include <cstring>
-#include <map>
 
 #include "io/surface/surface.h"
 #include "io/text/numbers.h"

@@ -2,7 +2,7 @@
 #include <cstring>
 #include <set>
 
-#include "io/format/groups.h"
+#include "io/format/parsed_mesh.h"
 #include "io/text/numbers.h"
 #include "io/text/source.h"
 #include "io/ugrid/ugrid.h"

@@ -1,6 +1,6 @@
 #include <bit>
 
-#include "io/format/groups.h"
+#include "io/format/parsed_mesh.h"
 #include "io/text/numbers.h"
 #include "io/ugrid/ugrid.h"
 

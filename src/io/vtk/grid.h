@@ -3,7 +3,7 @@
 #include <set>
 
 #include "core/mesh/mesh.h"
-#include "io/format/groups.h"
+#include "io/format/mesh_format.h"
 #include "io/format/parsed_mesh.h"
 
 /// VTK files, legacy and XML: "VTK File Formats" (Kitware). VTK knows no markers; ours are line
@@ -84,5 +84,24 @@ class ArrayCollector {
 ParsedMesh to_mesh(const Source& source, const Grid& grid);
 /// Cells of a mesh; in the order of its source if that was a VTK file and still fits.
 Grid to_grid(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings);
+
+/// Legacy VTK files: unstructured grids and polygon data, versions 1 to 5, ASCII and binary.
+
+extern const MeshFormat legacy_format;
+
+ParsedMesh read_legacy(Source& source);
+/// Writes version 3.0, which every reader understands.
+std::vector<std::string> write_legacy(std::ostream& out, const Mesh& mesh,
+                                      const FormatDetails* source, bool binary);
+
+/// VTK XML unstructured grids (.vtu).
+
+extern const MeshFormat vtu_format;
+
+/// Reads ASCII, inline base64, and appended raw or base64 data, compressed by zlib or not.
+ParsedMesh read_vtu(Source& source);
+/// Writes ASCII or, if `binary`, appended raw data.
+std::vector<std::string> write_vtu(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
+                                   bool binary);
 
 }  // namespace winslow::io::vtk

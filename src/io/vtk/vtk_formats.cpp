@@ -1,4 +1,4 @@
-#include "io/vtk/vtk_formats.h"
+#include "io/vtk/grid.h"
 
 namespace winslow::io::vtk {
 

@@ -4,7 +4,6 @@
 #include "io/text/numbers.h"
 #include "io/text/source.h"
 #include "io/vtk/grid.h"
-#include "io/vtk/vtk_formats.h"
 #include "io/vtk/vtu_arrays.h"
 
 namespace winslow::io::vtk {
