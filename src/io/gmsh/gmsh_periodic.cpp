@@ -1,4 +1,4 @@
-#include "io/gmsh/section_readers.h"
+#include "io/gmsh/value_reader.h"
 
 #include <cstdlib>
 #include <set>

@@ -3,7 +3,7 @@
 #include "io/format/mesh_in_space.h"
 #include "io/format/periodicity.h"
 #include "io/gmsh/gmsh.h"
-#include "io/gmsh/section_readers.h"
+#include "io/gmsh/value_reader.h"
 #include "io/text/numbers.h"
 
 namespace winslow::io::gmsh {
