@@ -91,10 +91,7 @@ std::size_t place_of(const MeshError& error, const SourceMap& where) {
 
 void check_dimension(const std::filesystem::path& path, const Topology& topology,
                      const MeshFormat& format) {
-  const bool can = topology.cell_dimension() == 3 ? format.writes_volumes
-                   : is_surface(topology)         ? format.writes_surfaces
-                                                  : format.writes_planes;
-  if (can) return;
+  if (format.can_write(kind_of(topology))) return;
   throw UsageError(path.string() + ": " + std::string(format.title) + " files cannot hold a " +
                    std::string(mesh_kind(topology)));
 }
@@ -108,10 +105,6 @@ const MeshFormat* folder_format(const std::filesystem::path& path, std::filesyst
     if (!folder.empty()) return format;
   }
   return nullptr;
-}
-
-ParsedMesh read_with(const MeshFormat& format, Source& source, int zone) {
-  return format.read_zone ? format.read_zone(source, zone) : format.read(source);
 }
 
 }  // namespace
@@ -129,7 +122,8 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
     throw UsageError(source.name() + ": no zone " + std::to_string(options.zone) +
                      ": a file of this format is one mesh");
   }
-  ParsedMesh parsed = read_with(*file.format, source, options.zone);
+  ParsedMesh parsed = file.format->read_zone ? file.format->read_zone(source, options.zone)
+                                             : file.format->read(source);
   turn_to_viewer(parsed);
   file.warnings.insert(file.warnings.end(), parsed.warnings.begin(), parsed.warnings.end());
   try {

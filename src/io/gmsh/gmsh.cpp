@@ -38,12 +38,6 @@ const MeshFormat format{
     .versions = "2.2 and 4.1",
     .encodings = "text, binary",
     .markers = "yes, name and tag",
-    .regions = "yes",
-    .quadrilaterals = "yes",
-    .volumes = "yes",
-    .writes_surfaces = true,
-    .writes_volumes = true,
-    .keeps_markers = true,
     .keeps_periodic = true,
     .has_binary = true,
     .recognise =
@@ -52,15 +46,7 @@ const MeshFormat format{
           return signature_if(first == "$MeshFormat" || first == "$NOD" || first == "$Comments");
         },
     .read = read,
-    .write =
-        [](std::ostream& out, const Mesh& mesh, const FormatDetails* details,
-           const io::WriteOptions& options) {
-          const auto* own = dynamic_cast<const Details*>(details);
-          const bool newest = own == nullptr || own->version_4;
-          const bool version_4 =
-              options.gmsh_version.empty() ? newest : options.gmsh_version == "4.1";
-          return write(out, mesh, details, {version_4, options.binary});
-        }};
+    .write = write};
 
 namespace {
 

@@ -102,10 +102,6 @@ extern const MeshFormat format;
 
 ParsedMesh read(Source& source);
 
-struct WriteOptions {
-  bool version_4 = true;
-  bool binary = false;
-};
 /// `source`: details of the file that the mesh came from, of this format or of another; may be
 /// null.
 std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source,

@@ -262,10 +262,11 @@ std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Format
                                const WriteOptions& options) {
   std::vector<std::string> warnings;
   const auto* details = dynamic_cast<const Details*>(source);
-  const bool kept =
-      details != nullptr && details->version_4 == options.version_4 && details->fits(mesh);
+  const bool newest = details == nullptr || details->version_4;
+  const bool version_4 = options.gmsh_version.empty() ? newest : options.gmsh_version == "4.1";
+  const bool kept = details != nullptr && details->version_4 == version_4 && details->fits(mesh);
   if (details != nullptr && !kept) {
-    warnings.emplace_back(details->version_4 == options.version_4
+    warnings.emplace_back(details->version_4 == version_4
                               ? "the mesh has changed: entities, tags and unknown sections of the "
                                 "source are not written"
                               : "another MSH version than the source's: entities, tags, points and "
@@ -287,7 +288,7 @@ std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Format
   if (kept) {
     Writer(out, mesh, *details, options.binary).write();
   } else {
-    Details made = make_details(mesh, options.version_4, warnings);
+    Details made = make_details(mesh, version_4, warnings);
     if (source != nullptr) {
       made.plane_z = source->plane_z;
       made.plane = source->plane;

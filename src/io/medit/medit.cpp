@@ -20,28 +20,6 @@ std::span<const Kind> kinds() {
   return all;
 }
 
-const MeshFormat format{
-    .name = "mesh",
-    .title = "Medit",
-    .versions = "",
-    .encodings = "text",
-    .markers = "yes, tag, and name in a comment",
-    .regions = "yes, tag, and name in a comment",
-    .quadrilaterals = "yes",
-    .volumes = "yes",
-    .writes_surfaces = true,
-    .writes_volumes = true,
-    .keeps_markers = true,
-    .recognise =
-        [](const Content& content) {
-          return keyword_on_line(content, [](std::string_view line) {
-            return starts_with_word(line, "MeshVersionFormatted");
-          });
-        },
-    .read = read,
-    .write = [](std::ostream& out, const Mesh& mesh, const FormatDetails* details,
-                const WriteOptions&) { return write(out, mesh, details); }};
-
 namespace {
 
 using Part = Details::Section::Part;
@@ -296,11 +274,7 @@ class Reader {
   std::size_t last_ = 0;  // offset of the vertex number read last
 };
 
-}  // namespace
-
 ParsedMesh read(Source& source) { return Reader(source).read(); }
-
-namespace {
 
 /// The elements of the mesh in the order in which they are written.
 using Order = std::vector<Index>;
@@ -452,9 +426,8 @@ Prepared prepare(const Mesh& mesh, const FormatDetails* source, const std::vecto
   return made;
 }
 
-}  // namespace
-
-std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source) {
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
+                               const WriteOptions&) {
   std::vector<std::string> warnings;
   const auto* own = dynamic_cast<const Details*>(source);
   if (own != nullptr && own->fits(mesh)) {
@@ -475,5 +448,20 @@ std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Format
   Writer(out, mesh, made.details, source, made.order).write();
   return warnings;
 }
+
+}  // namespace
+
+const MeshFormat format{.name = "mesh",
+                        .title = "Medit",
+                        .markers = "yes, tag, and name in a comment",
+                        .regions = "yes, tag, and name in a comment",
+                        .recognise =
+                            [](const Content& content) {
+                              return keyword_on_line(content, [](std::string_view line) {
+                                return starts_with_word(line, "MeshVersionFormatted");
+                              });
+                            },
+                        .read = read,
+                        .write = write};
 
 }  // namespace winslow::io::medit

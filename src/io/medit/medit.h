@@ -37,7 +37,4 @@ struct Details : BoundaryDetails {
 
 extern const MeshFormat format;
 
-ParsedMesh read(Source& source);
-std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* details);
-
 }  // namespace winslow::io::medit

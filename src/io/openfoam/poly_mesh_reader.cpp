@@ -9,6 +9,7 @@
 #include "io/text/source.h"
 
 namespace winslow::io::openfoam {
+namespace {
 
 /// The words of one file of OpenFOAM: comments are skipped, and each of ( ) { } ; [ ] is a word.
 class FoamScanner {
@@ -17,27 +18,87 @@ class FoamScanner {
       : source_(source), scan_(source, range.begin, range.end), range_(range) {}
 
   /// Offset of the next word.
-  std::size_t offset();
+  std::size_t offset() {
+    skip();
+    return scan_.offset();
+  }
+
   /// Behind the last word.
   std::size_t position() const { return scan_.offset(); }
   std::size_t bytes_left() const { return scan_.bytes_left(); }
   /// Empty at the end of the file.
-  std::string_view next();
-  std::string_view peek();
-  /// Throws InputError for another word.
-  void expect(std::string_view word);
+  std::string_view next() {
+    skip();
+    const auto text = source_.text().substr(0, range_.end);
+    const std::size_t begin = std::min(scan_.offset(), text.size());
+    std::size_t end = begin;
+    if (begin < text.size() && text[begin] == '"') {
+      end = std::min(text.find('"', begin + 1), text.size() - 1) + 1;
+    } else if (begin < text.size() &&
+               std::string_view("(){};[]").find(text[begin]) != std::string_view::npos) {
+      end = begin + 1;
+    } else {
+      end = std::min(text.find_first_of("(){};[] \t\r\n\v\f", begin), text.size());
+    }
+    scan_.seek(end);
+    return text.substr(begin, end - begin);
+  }
 
-  std::int64_t integer(const Expected& expected);
-  double number(const Expected& expected);
+  std::string_view peek() {
+    const std::size_t here = offset();
+    const auto word = next();
+    scan_.seek(here);
+    return word;
+  }
+
+  /// Throws InputError for another word.
+  void expect(std::string_view word) {
+    const auto found = next();
+    if (found != word) fail(found, "'" + std::string(word) + "'");
+  }
+
+  std::int64_t integer(const Expected& expected) {
+    const auto word = next();
+    const auto value = parse_integer(word);
+    if (!value) fail(word, expected.text());
+    return *value;
+  }
+
+  double number(const Expected& expected) {
+    const auto word = next();
+    const auto value = parse_number(word);
+    if (!value) fail(word, expected.text());
+    return *value;
+  }
+
   /// The length of a list, whose entries take at least so many bytes each.
-  Index count(const Expected& expected, std::size_t bytes_each);
+  Index count(const Expected& expected, std::size_t bytes_each) {
+    const std::size_t at = offset();
+    return checked_count(source_, at, integer(expected), bytes_each, bytes_left(), expected);
+  }
 
   [[noreturn]] void fail(std::string_view word, const std::string& expected) const {
     scan_.fail(word, expected);
   }
 
  private:
-  void skip();
+  void skip() {
+    const auto text = source_.text().substr(0, range_.end);
+    for (;;) {
+      scan_.skip_space();
+      const auto rest = text.substr(std::min(scan_.offset(), text.size()));
+      if (rest.starts_with("//")) {
+        scan_.line();
+      } else if (rest.starts_with("/*")) {
+        const auto end = text.find("*/", scan_.offset() + 2);
+        if (end == std::string_view::npos)
+          source_.fail(scan_.offset(), "a comment without end", "*/");
+        scan_.seek(end + 2);
+      } else {
+        return;
+      }
+    }
+  }
 
   const Source& source_;
   Scanner scan_;
@@ -45,84 +106,6 @@ class FoamScanner {
 };
 
 /// Reads the entry FoamFile, if there is one. Throws InputError for binary files.
-void read_foam_header(FoamScanner& scan);
-
-namespace {
-
-constexpr std::string_view punctuation = "(){};[]";
-
-}  // namespace
-
-void FoamScanner::skip() {
-  const auto text = source_.text().substr(0, range_.end);
-  for (;;) {
-    scan_.skip_space();
-    const auto rest = text.substr(std::min(scan_.offset(), text.size()));
-    if (rest.starts_with("//")) {
-      scan_.line();
-    } else if (rest.starts_with("/*")) {
-      const auto end = text.find("*/", scan_.offset() + 2);
-      if (end == std::string_view::npos)
-        source_.fail(scan_.offset(), "a comment without end", "*/");
-      scan_.seek(end + 2);
-    } else {
-      return;
-    }
-  }
-}
-
-std::size_t FoamScanner::offset() {
-  skip();
-  return scan_.offset();
-}
-
-std::string_view FoamScanner::next() {
-  skip();
-  const auto text = source_.text().substr(0, range_.end);
-  const std::size_t begin = std::min(scan_.offset(), text.size());
-  std::size_t end = begin;
-  if (begin < text.size() && text[begin] == '"') {
-    end = std::min(text.find('"', begin + 1), text.size() - 1) + 1;
-  } else if (begin < text.size() && punctuation.find(text[begin]) != std::string_view::npos) {
-    end = begin + 1;
-  } else {
-    end = std::min(text.find_first_of("(){};[] \t\r\n\v\f", begin), text.size());
-  }
-  scan_.seek(end);
-  return text.substr(begin, end - begin);
-}
-
-std::string_view FoamScanner::peek() {
-  const std::size_t here = offset();
-  const auto word = next();
-  scan_.seek(here);
-  return word;
-}
-
-void FoamScanner::expect(std::string_view word) {
-  const auto found = next();
-  if (found != word) fail(found, "'" + std::string(word) + "'");
-}
-
-std::int64_t FoamScanner::integer(const Expected& expected) {
-  const auto word = next();
-  const auto value = parse_integer(word);
-  if (!value) fail(word, expected.text());
-  return *value;
-}
-
-double FoamScanner::number(const Expected& expected) {
-  const auto word = next();
-  const auto value = parse_number(word);
-  if (!value) fail(word, expected.text());
-  return *value;
-}
-
-Index FoamScanner::count(const Expected& expected, std::size_t bytes_each) {
-  const std::size_t at = offset();
-  return checked_count(source_, at, integer(expected), bytes_each, bytes_left(), expected);
-}
-
 void read_foam_header(FoamScanner& scan) {
   if (scan.peek() != "FoamFile") return;
   scan.next();
@@ -143,8 +126,6 @@ struct Cell {
   ElementType type;
   std::vector<Index> corners;
 };
-
-namespace {
 
 std::optional<ElementType> type_of(std::span<const Face> faces) {
   const auto triangles =

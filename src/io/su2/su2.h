@@ -52,9 +52,11 @@ ParsedMesh read_zone(Source& source, int zone);
 /// plane mesh has NDIME= 2, unless it came from an SU2 file with NDIME= 3. Of a file of several
 /// zones the one of the details is written, as a file of its own.
 /// source: details of the file that the mesh came from, of this format or of another; may be null.
-std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source);
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
+                               const WriteOptions& options);
 /// Zones of one file; those that are not among them are written as they were.
-std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones);
+std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones,
+                                     const WriteOptions& options);
 
 /// Of a zone: 2 and 2 of a plane mesh, 3 and 3 of a volume mesh, space 3 and cells 2 of a surface
 /// mesh.

@@ -259,7 +259,8 @@ Details without_zones(Details details) {
 
 }  // namespace
 
-std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones) {
+std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones,
+                                     const WriteOptions&) {
   std::vector<std::string> warnings;
   const auto details_of = [](const MeshZone& zone) {
     return dynamic_cast<const Details*>(zone.details);
@@ -283,7 +284,8 @@ std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone
   return warnings;
 }
 
-std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source) {
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
+                               const WriteOptions&) {
   std::vector<std::string> warnings;
   const auto* details = dynamic_cast<const Details*>(source);
   if (details == nullptr || !details->blocks) {

@@ -1,7 +1,5 @@
 #include "io/tables/table_files.h"
 
-#include <cctype>
-#include <charconv>
 #include <deque>
 #include <map>
 
@@ -152,8 +150,7 @@ const std::vector<std::string>& boundary_extensions() {
 
 void write_boundary(const std::filesystem::path& path, const Mesh& mesh,
                     const std::vector<std::string>& markers) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lower_case(path.extension().string());
   const auto& known = boundary_extensions();
   if (std::find(known.begin(), known.end(), extension) == known.end())
     throw UsageError(path.string() + ": found extension \"" + extension +
@@ -198,10 +195,7 @@ std::string unquoted_lower(std::string_view field) {
   if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
     field = field.substr(1, field.size() - 2);
   }
-  std::string name(trimmed(field));
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return name;
+  return lower_case(trimmed(field));
 }
 
 Column column_of(std::string_view field) {
@@ -333,36 +327,18 @@ DisplacementTable read_displacements(const std::filesystem::path& path) {
   return Reader(source).read();
 }
 
-namespace {
-
-/// A number that reads back to the same bits, whatever the locale.
-class Exact {
- public:
-  explicit Exact(double value)
-      : end_(std::to_chars(text_.data(), text_.data() + text_.size(), value).ptr) {}
-  friend std::ostream& operator<<(std::ostream& out, const Exact& number) {
-    return out << std::string_view(number.text_.data(),
-                                   static_cast<std::size_t>(number.end_ - number.text_.data()));
-  }
-
- private:
-  std::array<char, 32> text_;
-  char* end_;
-};
-
-}  // namespace
-
 void write_convergence_csv(const std::filesystem::path& path,
                            const std::vector<ConvergenceTable>& tables) {
-  write_atomically(path, [&](std::ostream& out) {
+  write_atomically(path, [&](std::ostream& stream) {
+    TextWriter out(stream);
     out << "iteration,residual,largest_move,inverted,min_sine,damping,clipped,linear_iterations,"
            "fraction,command,stage\n";
     for (const ConvergenceTable& table : tables) {
       for (const IterationRecord& r : table.records) {
-        out << r.iteration << ',' << Exact(r.residual) << ',' << Exact(r.largest_move) << ','
-            << r.inverted << ',' << Exact(r.min_sine) << ',' << Exact(r.damping) << ','
-            << (r.clipped ? 1 : 0) << ',' << r.linear_iterations << ',' << Exact(r.fraction) << ','
-            << table.command << ',' << stage_name(r.stage) << '\n';
+        out << r.iteration << ',' << r.residual << ',' << r.largest_move << ',' << r.inverted << ','
+            << r.min_sine << ',' << r.damping << ',' << (r.clipped ? 1 : 0) << ','
+            << r.linear_iterations << ',' << r.fraction << ',' << table.command << ','
+            << stage_name(r.stage) << '\n';
       }
     }
   });

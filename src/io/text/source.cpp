@@ -144,6 +144,12 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return lower;
+}
+
 std::string_view Scanner::line() {
   const std::size_t begin = position_;
   std::size_t end = text_.find('\n', begin);

@@ -119,6 +119,8 @@ class Scanner {
 
 /// Without white space at both ends.
 std::string_view trimmed(std::string_view text);
+/// Letters of ASCII in lower case.
+std::string lower_case(std::string_view text);
 /// Checks a count against the bytes that are left (see Scanner::count). Throws InputError.
 Index checked_count(const Source& source, std::size_t offset, std::int64_t count,
                     std::size_t bytes_each, std::size_t bytes_left, const Expected& expected);

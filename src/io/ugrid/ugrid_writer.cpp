@@ -1,5 +1,3 @@
-#include <bit>
-
 #include "io/format/parsed_mesh.h"
 #include "io/text/numbers.h"
 #include "io/ugrid/ugrid.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
 
 #include "io/text/numbers.h"
@@ -120,7 +119,7 @@ void VtuArrays::fail(const pugi::xml_node& array, const std::string& found,
   source_.fail(place(array), found, expected);
 }
 
-VtuArrays::Type VtuArrays::type_of(const pugi::xml_node& array) const {
+BinaryNumber VtuArrays::type_of(const pugi::xml_node& array) const {
   const std::string_view name = array.attribute("type").value();
   if (name == "Float32") return {true, true, 4};
   if (name == "Float64") return {true, true, 8};
@@ -147,14 +146,9 @@ std::string_view VtuArrays::inline_text(const pugi::xml_node& array) const {
   return {};
 }
 
-std::uint64_t VtuArrays::integer_at(std::string_view bytes, std::size_t at,
+std::uint64_t VtuArrays::integer_at(std::string_view bytes, std::size_t begin,
                                     std::size_t width) const {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < width; ++i) {
-    const std::size_t k = big_endian_ ? i : width - 1 - i;
-    value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
-  }
-  return value;
+  return unsigned_at(bytes.data() + begin, width, big_endian_);
 }
 
 /// Decodes base64 and takes header and compression away.
@@ -316,7 +310,7 @@ std::string VtuArrays::bytes_of(const pugi::xml_node& array, std::size_t& first,
 template <class Number>
 std::vector<Number> VtuArrays::read(const pugi::xml_node& array, std::vector<std::size_t>* places,
                                     Count count) const {
-  const Type type = type_of(array);
+  const BinaryNumber type = type_of(array);
   std::vector<Number> values;
   if (std::string_view(array.attribute("format").as_string("ascii")) == "ascii") {
     const auto text = inline_text(array);
@@ -325,15 +319,11 @@ std::vector<Number> VtuArrays::read(const pugi::xml_node& array, std::vector<std
     Scanner scan(source_, begin, begin + text.size());
     for (auto word = scan.next_word(); !word.empty(); word = scan.next_word()) {
       if (places != nullptr) places->push_back(source_.offset_of(word));
-      if constexpr (std::is_same_v<Number, double>) {
-        const auto value = parse_number(word);
-        if (!value) scan.fail(word, "a number in " + name_of(array));
-        values.push_back(*value);
-      } else {
-        const auto value = parse_integer(word);
-        if (!value) scan.fail(word, "an integer in " + name_of(array));
-        values.push_back(*value);
-      }
+      const auto value = parse<Number>(word);
+      if (!value)
+        scan.fail(word, (std::is_integral_v<Number> ? "an integer in " : "a number in ") +
+                            name_of(array));
+      values.push_back(*value);
     }
     return values;
   }
@@ -349,18 +339,7 @@ std::vector<Number> VtuArrays::read(const pugi::xml_node& array, std::vector<std
   values.reserve(bytes.size() / type.bytes);
   for (std::size_t at = 0; at < bytes.size(); at += type.bytes) {
     if (places != nullptr) places->push_back(first + (compressed_ ? 0 : at));
-    const std::uint64_t raw = integer_at(bytes, at, type.bytes);
-    if (type.floating) {
-      values.push_back(static_cast<Number>(
-          type.bytes == 8
-              ? std::bit_cast<double>(raw)
-              : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(raw)))));
-      continue;
-    }
-    const unsigned shift = static_cast<unsigned>(64 - 8 * type.bytes);
-    const auto extended = static_cast<std::int64_t>(raw << shift) >> shift;
-    values.push_back(
-        static_cast<Number>(type.is_signed ? extended : static_cast<std::int64_t>(raw)));
+    values.push_back(number_at<Number>(bytes.data() + at, type, big_endian_));
   }
   return values;
 }
