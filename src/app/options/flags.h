@@ -22,6 +22,32 @@ CLI::Validator words_to_offer(const std::vector<std::string>& words);
 /// The names that an option takes, of its one_of() or words_to_offer(); empty: it has neither.
 std::vector<std::string> words_of(CLI::Option& option);
 
+/// Declares flags under one heading of the help.
+class FlagGroup {
+ public:
+  explicit FlagGroup(CLI::App& app, std::string heading = "Options")
+      : app_(app), heading_(std::move(heading)) {}
+
+  /// A flag with values of a type that help and messages call `takes`.
+  template <class Value>
+  CLI::Option* value(const char* names, Value& to, const char* takes, const std::string& help) {
+    return app_.add_option(names, to, help)->type_name(takes)->group(heading_);
+  }
+  /// A flag after which the help says nothing but `takes`: "N [500]".
+  template <class Value>
+  CLI::Option* value_as(const char* names, Value& to, const std::string& takes,
+                        const std::string& help) {
+    return app_.add_option(names, to, help)->option_text(takes)->group(heading_);
+  }
+  CLI::Option* on(const char* name, bool& to, const std::string& help) {
+    return app_.add_flag(name, to, help)->group(heading_);
+  }
+
+ private:
+  CLI::App& app_;
+  std::string heading_;
+};
+
 /// Files of a job that changes a mesh, and what is said about it.
 struct JobFiles {
   std::string input;
@@ -86,8 +112,6 @@ class LayerFlags {
   void finish(LayerOptions& options) const;
 
  private:
-  void declare_first_height(CLI::App& app);
-
   std::vector<std::string> markers_, walls_, columns_;
   LayerSpacing spacing_;
   std::optional<double> y_plus_, reynolds_;

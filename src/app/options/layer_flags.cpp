@@ -89,10 +89,9 @@ bool set_number(const OptionTable& table, const std::string& key, double value,
 }  // namespace
 
 void add_hold_layers_flag(CLI::App& app, std::vector<std::string>& markers) {
-  app.add_option("--hold-layers", markers,
-                 "Wall whose layers, as the mesh has them, keep their heights; may be given "
-                 "several times")
-      ->type_name("NAME");
+  FlagGroup(app).value("--hold-layers", markers, "NAME",
+                       "Wall whose layers, as the mesh has them, keep their heights; may be given "
+                       "several times");
 }
 
 std::vector<Command> holding_layers(const std::vector<std::string>& markers,
@@ -151,44 +150,32 @@ ColumnOverride parse_column(const std::string& text) {
 }
 
 void LayerFlags::declare(CLI::App& app) {
-  app.add_option("--marker", markers_, "Wall to insert layers at; may be given several times")
-      ->type_name("NAME")
-      ->group("Layers");
-  app.add_option(
-         "--wall", walls_,
-         "Wall with settings of its own, e.g. flap:count=20,first=2e-5 (keys: " +
-             number_keys(option_table(spacing_)) +
-             "; xmin, xmax, ymin, ymax: the part of the markers that is to have layers); may be "
-             "given several times")
-      ->type_name("NAME[,NAME]:KEY=NUMBER,...")
-      ->group("Layers");
-  app.add_option("--column", columns_,
-                 "What one wall node is to have instead of what the rules choose, e.g. "
-                 "17:columns=1,thickness=0.01 (columns: 1 is no fan; thickness: 0 is no layers); "
-                 "may be given several times")
-      ->type_name("NODE:KEY=NUMBER,...")
-      ->group("Layers");
+  FlagGroup group(app, "Layers");
+  group.value("--marker", markers_, "NAME", "Wall to insert layers at; may be given several times");
+  group.value(
+      "--wall", walls_, "NAME[,NAME]:KEY=NUMBER,...",
+      "Wall with settings of its own, e.g. flap:count=20,first=2e-5 (keys: " +
+          number_keys(option_table(spacing_)) +
+          "; xmin, xmax, ymin, ymax: the part of the markers that is to have layers); may be "
+          "given several times");
+  group.value("--column", columns_, "NODE:KEY=NUMBER,...",
+              "What one wall node is to have instead of what the rules choose, e.g. "
+              "17:columns=1,thickness=0.01 (columns: 1 is no fan; thickness: 0 is no layers); "
+              "may be given several times");
   add_option_flags(app, option_table(spacing_), "Layers");
   app.get_option("--match-outside")->excludes(app.get_option("--total"));
-  declare_first_height(app);
-}
-
-void LayerFlags::declare_first_height(CLI::App& app) {
-  CLI::Option* reynolds = app.add_option("--reynolds", reynolds_,
-                                         "Reynolds number of the reference length, for --y-plus")
-                              ->option_text("RE")
-                              ->group("Layers");
-  app.add_option("--y-plus", y_plus_,
-                 "Wanted y+ of the first node: gives --first by the turbulent friction of a flat "
-                 "plate (White, Fluid Mechanics: 0.026 / Re^(1/7))")
-      ->option_text("Y+")
+  CLI::Option* reynolds = group.value_as("--reynolds", reynolds_, "RE",
+                                         "Reynolds number of the reference length, for --y-plus");
+  group
+      .value_as("--y-plus", y_plus_, "Y+",
+                "Wanted y+ of the first node: gives --first by the turbulent friction of a flat "
+                "plate (White, Fluid Mechanics: 0.026 / Re^(1/7))")
       ->needs(reynolds)
-      ->excludes(app.get_option("--first"))
-      ->group("Layers");
-  app.add_option("--reference-length", length_, "Reference length (chord), units of the mesh")
-      ->option_text("LENGTH [1]")
-      ->needs(reynolds)
-      ->group("Layers");
+      ->excludes(app.get_option("--first"));
+  group
+      .value_as("--reference-length", length_, "LENGTH [1]",
+                "Reference length (chord), units of the mesh")
+      ->needs(reynolds);
 }
 
 void LayerFlags::finish(LayerOptions& options) const {

@@ -11,58 +11,85 @@
 namespace winslow::app {
 namespace {
 
-class MoveSubcommand : public Subcommand {
+/// The subcommand of a command that changes a mesh: a flag for each option of its table, and those
+/// that all such commands have.
+template <class EditCommand>
+class EditSubcommand : public Subcommand {
  public:
-  explicit MoveSubcommand(CLI::App& program)
-      : Subcommand(program.add_subcommand(std::string(MoveCommand::name),
-                                          std::string(MoveCommand::summary))) {
+  ExitCode run() override {
+    const std::string name(EditCommand::name);
+    if constexpr (requires { command_.how; })
+      return run_edit_job({name, files_, holding_layers(held_, command_.smooth, command_)});
+    else
+      return run_edit_job({name, files_, {command_}});
+  }
+
+ protected:
+  explicit EditSubcommand(CLI::App& program)
+      : Subcommand(program.add_subcommand(std::string(EditCommand::name),
+                                          std::string(EditCommand::summary))) {
     add_input(app(), files_.input);
-    add_marker_flag(app(), command_.bodies.front().markers);
-    add_option_flags(app(), option_table(command_), "Motion");
-    add_direct_flag(app(), command_.how);
-    add_min_quality_flag(app(), command_.how.floor);
-    add_hold_layers_flag(app(), held_);
-    add_smooth_flags(app(), command_.smooth);
+  }
+
+  void add_table_flags(const char* heading) {
+    add_option_flags(app(), option_table(command_), heading);
+    if constexpr (requires { command_.how; }) {
+      add_direct_flag(app(), command_.how);
+      add_min_quality_flag(app(), command_.how.floor);
+      add_hold_layers_flag(app(), held_);
+    }
+  }
+
+  /// The last ones.
+  void add_common_flags() {
+    if constexpr (requires { command_.smooth; }) add_smooth_flags(app(), command_.smooth);
     add_job_flags(app(), files_);
     add_recipe_flag(app(), files_);
+  }
+
+  EditCommand command_;
+
+ private:
+  JobFiles files_;
+  std::vector<std::string> held_;
+};
+
+/// Of a command that its table describes.
+template <class EditCommand>
+class TableSubcommand : public EditSubcommand<EditCommand> {
+ public:
+  explicit TableSubcommand(CLI::App& program) : EditSubcommand<EditCommand>(program) {
+    if constexpr (requires { this->command_.markers; })
+      add_marker_flag(this->app(), this->command_.markers);
+    this->add_table_flags("Options");
+    this->add_common_flags();
+  }
+};
+
+/// It tells a motion that is not given from one by 0, and may hold layers.
+class MoveSubcommand : public EditSubcommand<MoveCommand> {
+ public:
+  explicit MoveSubcommand(CLI::App& program) : EditSubcommand(program) {
+    add_marker_flag(app(), command_.bodies.front().markers);
+    add_table_flags("Motion");
+    add_common_flags();
   }
 
   ExitCode run() override {
     if (app().count("--rotate") + app().count("--translate") == 0) {
       throw UsageError("nothing to do: give --rotate DEG, --translate DX DY, or both");
     }
-    return run_edit_job({"move", files_, holding_layers(held_, command_.smooth, command_)});
+    return EditSubcommand::run();
   }
-
- private:
-  JobFiles files_;
-  std::vector<std::string> held_;
-  MoveCommand command_;
 };
 
-}  // namespace
-
-std::unique_ptr<Subcommand> make_move_subcommand(CLI::App& program) {
-  return std::make_unique<MoveSubcommand>(program);
-}
-
-namespace {
-
-class DeformSubcommand : public Subcommand {
+class DeformSubcommand : public EditSubcommand<DeformCommand> {
  public:
-  explicit DeformSubcommand(CLI::App& program)
-      : Subcommand(program.add_subcommand(std::string(DeformCommand::name),
-                                          std::string(DeformCommand::summary))) {
-    add_input(app(), files_.input);
+  explicit DeformSubcommand(CLI::App& program) : EditSubcommand(program) {
     add_marker_flag(app(), command_.markers);
     add_shape_flags();
-    add_option_flags(app(), option_table(command_), "Motion");
-    add_direct_flag(app(), command_.how);
-    add_min_quality_flag(app(), command_.how.floor);
-    add_hold_layers_flag(app(), held_);
-    add_smooth_flags(app(), command_.smooth);
-    add_job_flags(app(), files_);
-    add_recipe_flag(app(), files_);
+    add_table_flags("Motion");
+    add_common_flags();
   }
 
   ExitCode run() override {
@@ -75,11 +102,12 @@ class DeformSubcommand : public Subcommand {
     } else {
       command_.shape = io::read_displacements(table_);
     }
-    return run_edit_job({"deform", files_, holding_layers(held_, command_.smooth, command_)});
+    return EditSubcommand::run();
   }
 
  private:
   void add_shape_flags() {
+    FlagGroup group(app(), "Shape");
     sine_flag_ = app()
                      .add_option_function<std::array<double, 2>>(
                          "--sine",
@@ -90,13 +118,10 @@ class DeformSubcommand : public Subcommand {
                          "Add a sine wave along the body: amplitude, number of periods")
                      ->type_name("AMPLITUDE WAVES")
                      ->group("Shape");
-    table_flag_ = app()
-                      .add_option("--displacements", table_,
-                                  "CSV of node,dx,dy (0-based node) or x,y,dx,dy; "
-                                  "of volume meshes node,dx,dy,dz or x,y,z,dx,dy,dz, "
-                                  "the names in the first line")
-                      ->type_name("FILE.csv")
-                      ->group("Shape");
+    table_flag_ = group.value("--displacements", table_, "FILE.csv",
+                              "CSV of node,dx,dy (0-based node) or x,y,dx,dy; "
+                              "of volume meshes node,dx,dy,dz or x,y,z,dx,dy,dz, "
+                              "the names in the first line");
     const OptionTable options = option_table(sine_);
     add_option_flags(app(), options, "Shape");
     for (const Option& option : options) {
@@ -105,31 +130,17 @@ class DeformSubcommand : public Subcommand {
     }
   }
 
-  JobFiles files_;
-  std::vector<std::string> held_;
-  DeformCommand command_;
   SineDeformation sine_;
   std::string table_;
   CLI::Option* sine_flag_ = nullptr;
   CLI::Option* table_flag_ = nullptr;
 };
 
-}  // namespace
-
-std::unique_ptr<Subcommand> make_deform_subcommand(CLI::App& program) {
-  return std::make_unique<DeformSubcommand>(program);
-}
-
-namespace {
-
-class LayersSubcommand : public Subcommand {
+class LayersSubcommand : public EditSubcommand<LayersCommand> {
  public:
-  explicit LayersSubcommand(CLI::App& program)
-      : Subcommand(program.add_subcommand(std::string(LayersCommand::name),
-                                          std::string(LayersCommand::summary))) {
-    add_input(app(), files_.input);
+  explicit LayersSubcommand(CLI::App& program) : EditSubcommand(program) {
     flags_.declare(app());
-    add_option_flags(app(), option_table(command_), "Layers");
+    add_table_flags("Layers");
     app()
         .add_flag_callback(
             "--respace", [this] { command_.task = LayerTask::respace; },
@@ -137,42 +148,27 @@ class LayersSubcommand : public Subcommand {
             "of how many of them are changed")
         ->excludes(app().get_option("--no-control"))
         ->group("Layers");
-    add_smooth_flags(app(), command_.smooth);
-    add_job_flags(app(), files_);
-    add_recipe_flag(app(), files_);
+    add_common_flags();
   }
 
   ExitCode run() override {
     flags_.finish(command_.layers);
-    return run_edit_job({"layers", files_, {command_}});
+    return EditSubcommand::run();
   }
 
  private:
-  JobFiles files_;
-  LayersCommand command_;
   LayerFlags flags_;
 };
-
-}  // namespace
-
-std::unique_ptr<Subcommand> make_layers_subcommand(CLI::App& program) {
-  return std::make_unique<LayersSubcommand>(program);
-}
-
-namespace {
 
 class ReplaySubcommand : public Subcommand {
  public:
   explicit ReplaySubcommand(CLI::App& program)
       : Subcommand(program.add_subcommand("replay", "Apply the commands of a recipe, in order")) {
     app().add_option("RECIPE", recipe_, "Recipe to run (JSON)")->required()->type_name("");
-    app()
-        .add_option("--input", files_.input, "Mesh to start from instead of the recipe's")
-        ->type_name("IN");
-    threads_flag_ = app()
-                        .add_option("--threads", threads_, "Threads; 0 for all cores")
-                        ->check(CLI::Range(0, 4096))
-                        ->option_text("N");
+    FlagGroup group(app());
+    group.value("--input", files_.input, "IN", "Mesh to start from instead of the recipe's");
+    threads_flag_ = group.value_as("--threads", threads_, "N", "Threads; 0 for all cores")
+                        ->check(CLI::Range(0, 4096));
     add_job_flags(app(), files_);
   }
 
@@ -204,38 +200,6 @@ class ReplaySubcommand : public Subcommand {
   CLI::Option* threads_flag_ = nullptr;
 };
 
-}  // namespace
-
-std::unique_ptr<Subcommand> make_replay_subcommand(CLI::App& program) {
-  return std::make_unique<ReplaySubcommand>(program);
-}
-
-/// The subcommand of a command that its table of options describes.
-template <class EditCommand>
-class TableSubcommand : public Subcommand {
- public:
-  explicit TableSubcommand(CLI::App& program)
-      : Subcommand(program.add_subcommand(std::string(EditCommand::name),
-                                          std::string(EditCommand::summary))) {
-    add_input(app(), files_.input);
-    if constexpr (requires { command_.markers; }) add_marker_flag(app(), command_.markers);
-    add_option_flags(app(), option_table(command_), "Options");
-    if constexpr (requires { command_.smooth; }) add_smooth_flags(app(), command_.smooth);
-    add_job_flags(app(), files_);
-    add_recipe_flag(app(), files_);
-  }
-
-  ExitCode run() override {
-    return run_edit_job({std::string(EditCommand::name), files_, {command_}});
-  }
-
- private:
-  JobFiles files_;
-  EditCommand command_;
-};
-
-namespace {
-
 // The subcommand of each kind of command; null: it has none.
 
 template <class EditCommand>
@@ -244,21 +208,24 @@ requires(!EditCommand::beyond_table) std::unique_ptr<Subcommand> make_for(const 
   return std::make_unique<TableSubcommand<EditCommand>>(program);
 }
 
-/// It tells a motion that is not given from one by 0, and may hold layers.
 std::unique_ptr<Subcommand> make_for(const MoveCommand&, CLI::App& program) {
-  return make_move_subcommand(program);
+  return std::make_unique<MoveSubcommand>(program);
 }
 
 std::unique_ptr<Subcommand> make_for(const DeformCommand&, CLI::App& program) {
-  return make_deform_subcommand(program);
+  return std::make_unique<DeformSubcommand>(program);
 }
 
 std::unique_ptr<Subcommand> make_for(const LayersCommand&, CLI::App& program) {
-  return make_layers_subcommand(program);
+  return std::make_unique<LayersSubcommand>(program);
 }
 
 /// Virtual control volumes are edited in the studio and in recipes.
 std::unique_ptr<Subcommand> make_for(const EditVcvCommand&, CLI::App&) { return nullptr; }
+
+std::unique_ptr<Subcommand> make_replay_subcommand(CLI::App& program) {
+  return std::make_unique<ReplaySubcommand>(program);
+}
 
 }  // namespace
 
