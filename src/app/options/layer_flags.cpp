@@ -57,33 +57,27 @@ int whole(double value, const std::string& where, const std::string& key) {
   return static_cast<int>(value);
 }
 
-/// The keys of a table's numbers: "count, first, ratio".
-std::string number_keys(const OptionTable& table) {
-  std::string keys;
-  for (const Option& option : table) {
-    if (std::holds_alternative<SwitchOption>(option.value)) continue;
-    keys += (keys.empty() ? "" : ", ") + std::string(option.key);
+/// Sets the number that an option is, of which `key` is the name; false: it is none.
+bool set_number(const OptionValue& option, double value, const std::string& where,
+                const std::string& key) {
+  if (const auto* real = std::get_if<RealOption>(&option)) {
+    *real->value = value;
+  } else if (const auto* optional = std::get_if<OptionalRealOption>(&option)) {
+    *optional->value = value;
+  } else if (const auto* integer = std::get_if<IntegerOption>(&option)) {
+    *integer->value = whole(value, where, key);
+  } else {
+    return false;
   }
-  return keys;
+  return true;
 }
 
-/// Sets the number with that key. Returns false if the table has none.
-bool set_number(const OptionTable& table, const std::string& key, double value,
-                const std::string& where) {
-  for (const Option& option : table) {
-    if (option.key != key) continue;
-    if (const auto* real = std::get_if<RealOption>(&option.value)) {
-      *real->value = value;
-    } else if (const auto* optional = std::get_if<OptionalRealOption>(&option.value)) {
-      *optional->value = value;
-    } else if (const auto* integer = std::get_if<IntegerOption>(&option.value)) {
-      *integer->value = whole(value, where, key);
-    } else {
-      return false;
-    }
-    return true;
-  }
-  return false;
+/// The keys of a table's numbers: "count, first, ratio".
+std::string number_keys(LayerSpacing spacing) {
+  std::vector<std::string> keys;
+  for (const Option& option : option_table(spacing))
+    if (set_number(option.value, 0, {}, {})) keys.emplace_back(option.key);
+  return join(keys);
 }
 
 }  // namespace
@@ -114,13 +108,15 @@ LayerWall parse_wall(const std::string& text, const LayerSpacing& common) {
   if (colon == std::string::npos) return wall;
   const std::string where = "--wall " + text;
   read_settings(text.substr(colon + 1), where,
-                number_keys(option_table(wall.spacing)) + ", xmin, xmax, ymin, ymax",
+                number_keys(wall.spacing) + ", xmin, xmax, ymin, ymax",
                 [&](const std::string& key, double value) {
                   if (double* bound = bound_named(key, wall.part)) {
                     *bound = value;
                     return true;
                   }
-                  return set_number(option_table(wall.spacing), key, value, where);
+                  const OptionTable table = option_table(wall.spacing);
+                  const auto named = std::ranges::find(table, key, &Option::key);
+                  return named != table.end() && set_number(named->value, value, where, key);
                 });
   return wall;
 }
@@ -155,7 +151,7 @@ void LayerFlags::declare(CLI::App& app) {
   group.value(
       "--wall", walls_, "NAME[,NAME]:KEY=NUMBER,...",
       "Wall with settings of its own, e.g. flap:count=20,first=2e-5 (keys: " +
-          number_keys(option_table(spacing_)) +
+          number_keys(spacing_) +
           "; xmin, xmax, ymin, ymax: the part of the markers that is to have layers); may be "
           "given several times");
   group.value("--column", columns_, "NODE:KEY=NUMBER,...",

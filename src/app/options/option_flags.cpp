@@ -81,16 +81,11 @@ std::vector<std::string> words_of(CLI::Option& option) {
 
 namespace {
 
-std::vector<std::string> names_of(const ChoiceOption& choice) {
+/// The names of what there is to choose from, or to have shares of.
+template <class Items>
+std::vector<std::string> names_of(const Items& items) {
   std::vector<std::string> names;
-  for (const ChoiceItem& item : choice.items()) names.push_back(item.name);
-  return names;
-}
-
-std::string names_of(const SharesOption& shares) {
-  std::string names;
-  for (const auto& part : shares.parts)
-    names += (names.empty() ? "" : ", ") + std::string(part.name);
+  for (const auto& item : items) names.emplace_back(item.name);
   return names;
 }
 
@@ -113,7 +108,7 @@ void set_shares(const SharesOption& shares, const std::string& flag,
     }
     if (!known) {
       throw UsageError(flag + ' ' + word + ": found \"" + name + "\", expected one of " +
-                       names_of(shares));
+                       join(names_of(shares.parts)));
     }
   }
 }
@@ -139,28 +134,41 @@ CLI::Option* add_value(CLI::App& app, const Option& option,
       ->option_text(flag_text(option));
 }
 
-CLI::Option* declare(CLI::App& app, const Option& option, const RealOption& real) {
-  return add_value<double>(app, option, [real](const double& x) { *real.value = x; });
+// How an option of each kind is declared, and what the help calls its value.
+
+/// A number or a text that is taken as it is.
+template <class Given, class Value>
+CLI::Option* add_plain(CLI::App& app, const Option& option, Value* value) {
+  return add_value<Given>(app, option, [value](const Given& given) { *value = given; });
 }
+
+CLI::Option* declare(CLI::App& app, const Option& option, const RealOption& real) {
+  return add_plain<double>(app, option, real.value);
+}
+std::string metavariable(const RealOption&) { return "NUMBER"; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const OptionalRealOption& real) {
-  return add_value<double>(app, option, [real](const double& x) { *real.value = x; });
+  return add_plain<double>(app, option, real.value);
 }
+std::string metavariable(const OptionalRealOption&) { return "NUMBER"; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const IntegerOption& integer) {
-  return add_value<int>(app, option, [integer](const int& n) { *integer.value = n; });
+  return add_plain<int>(app, option, integer.value);
 }
+std::string metavariable(const IntegerOption&) { return "N"; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const SeedOption& seed) {
-  return add_value<std::uint64_t>(app, option, [seed](const std::uint64_t& n) { *seed.value = n; })
+  return add_plain<std::uint64_t>(app, option, seed.value)
       ->check([](const std::string& text) {  // the conversion would wrap a negative number
         return text.starts_with("-") ? "found " + text + ", expected 0 or more" : std::string();
       });
 }
+std::string metavariable(const SeedOption&) { return "N"; }
 
 /// Two numbers or three.
 template <class Vector>
-CLI::Option* declare_vector(CLI::App& app, const Option& option, const Vector& vector) {
+requires std::is_same_v<Vector, VectorOption> || std::is_same_v<Vector, OptionalVectorOption>
+    CLI::Option* declare(CLI::App& app, const Option& option, const Vector& vector) {
   using Numbers = std::vector<double>;
   return add_value<Numbers>(
              app, option,
@@ -170,102 +178,80 @@ CLI::Option* declare_vector(CLI::App& app, const Option& option, const Vector& v
              })
       ->expected(2, 3);
 }
-
-CLI::Option* declare(CLI::App& app, const Option& option, const VectorOption& vector) {
-  return declare_vector(app, option, vector);
-}
-
-CLI::Option* declare(CLI::App& app, const Option& option, const OptionalVectorOption& vector) {
-  return declare_vector(app, option, vector);
-}
+std::string metavariable(const VectorOption&) { return "X Y [Z]"; }
+std::string metavariable(const OptionalVectorOption&) { return "X Y [Z]"; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const SpaceVectorOption& vector) {
   using Triple = std::array<double, 3>;
   return add_value<Triple>(app, option,
                            [vector](const Triple& v) { *vector.value = Vec3(v[0], v[1], v[2]); });
 }
+std::string metavariable(const SpaceVectorOption&) { return "X Y Z"; }
 
 /// The flag once for each name, or each pair.
 CLI::Option* declare(CLI::App& app, const Option& option, const NamesOption& names) {
-  if (names.pairs) {
-    using Pairs = std::vector<std::pair<std::string, std::string>>;
-    return add_value<Pairs>(app, option,
-                            [names](const Pairs& given) {
-                              names.value->clear();
-                              for (const auto& [first, second] : given)
-                                names.value->insert(names.value->end(), {first, second});
-                            })
-        ->allow_extra_args(false);
-  }
   using Names = std::vector<std::string>;
-  return add_value<Names>(app, option, [names](const Names& given) { *names.value = given; })
+  using Pairs = std::vector<std::pair<std::string, std::string>>;
+  if (!names.pairs) return add_plain<Names>(app, option, names.value)->allow_extra_args(false);
+  return add_value<Pairs>(app, option,
+                          [names](const Pairs& given) {
+                            names.value->clear();
+                            for (const auto& [first, second] : given)
+                              names.value->insert(names.value->end(), {first, second});
+                          })
       ->allow_extra_args(false);
 }
+std::string metavariable(const NamesOption& names) { return names.pairs ? "NAME NAME" : "NAME"; }
 
 /// The flag once for each node.
 CLI::Option* declare(CLI::App& app, const Option& option, const NodesOption& nodes) {
-  using Numbers = std::vector<Index>;
-  return add_value<Numbers>(app, option, [nodes](const Numbers& given) { *nodes.value = given; })
-      ->allow_extra_args(false);
+  return add_plain<std::vector<Index>>(app, option, nodes.value)->allow_extra_args(false);
 }
+std::string metavariable(const NodesOption&) { return "ID"; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const FileOption& file) {
-  return add_value<std::string>(app, option,
-                                [file](const std::string& name) { *file.value = name; });
+  return add_plain<std::string>(app, option, file.value);
 }
+std::string metavariable(const FileOption&) { return "FILE"; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const SwitchOption& on) {
   const bool value = on.off_flag.empty();
   return app.add_flag_callback(
       flag_of(option), [on, value] { *on.value = value; }, flag_help(option));
 }
+std::string metavariable(const SwitchOption&) { return {}; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const ChoiceOption& choice) {
   return add_value<std::string>(app, option,
                                 [choice](const std::string& name) { choice.choose(name); })
-      ->check(one_of(names_of(choice)));
+      ->check(one_of(names_of(choice.items())));
+}
+std::string metavariable(const ChoiceOption& choice) {
+  constexpr std::size_t few = 4;
+  return choice.items().size() <= few ? choice.names("|") : "NAME";
 }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const SharesOption& shares) {
   using Words = std::vector<std::string>;
   const std::string flag = flag_of(option);
-  Words names;
-  for (const auto& part : shares.parts) names.emplace_back(part.name);
   return add_value<Words>(app, option,
                           [shares, flag](const Words& words) { set_shares(shares, flag, words); })
-      ->check(words_to_offer(names));
+      ->check(words_to_offer(names_of(shares.parts)));
 }
+std::string metavariable(const SharesOption&) { return "NAME[=SHARE]..."; }
 
 template <class Item>
 std::string item_help(const Item& item) {
   return item.help.empty() ? "" : "\n  " + std::string(item.name) + ": " + std::string(item.help);
 }
 
-std::string metavariable(const Option& option) {
-  if (std::holds_alternative<VectorOption>(option.value) ||
-      std::holds_alternative<OptionalVectorOption>(option.value))
-    return "X Y [Z]";
-  if (std::holds_alternative<SpaceVectorOption>(option.value)) return "X Y Z";
-  if (const auto* names = std::get_if<NamesOption>(&option.value))
-    return names->pairs ? "NAME NAME" : "NAME";
-  if (std::holds_alternative<NodesOption>(option.value)) return "ID";
-  if (std::holds_alternative<FileOption>(option.value)) return "FILE";
-  if (std::holds_alternative<SharesOption>(option.value)) return "NAME[=SHARE]...";
-  if (const auto* choice = std::get_if<ChoiceOption>(&option.value)) {
-    constexpr std::size_t few = 4;
-    return choice->items().size() <= few ? choice->names("|") : "NAME";
-  }
-  const bool whole = std::holds_alternative<IntegerOption>(option.value) ||
-                     std::holds_alternative<SeedOption>(option.value);
-  return whole ? "N" : "NUMBER";
-}
-
 }  // namespace
 
 std::string flag_text(const Option& option) {
-  if (std::holds_alternative<SwitchOption>(option.value)) return "";
-  const std::string value = value_text(option);
-  return metavariable(option) + (value.empty() ? "" : " [" + value + "]");
+  const std::string word =
+      std::visit([](const auto& of) { return metavariable(of); }, option.value);
+  const std::string value = word.empty() ? "" : value_text(option);
+  return word + (value.empty() ? "" : " [" + value + "]");
 }
 
 std::string flag_help(const Option& option) {
@@ -296,10 +282,9 @@ void add_option_flags(CLI::App& app, const OptionTable& table, const std::string
 namespace {
 
 std::string limited_names() {
-  std::string names;
-  for (const Metric metric : limited_metrics())
-    names += (names.empty() ? "" : ", ") + std::string(metric_name(metric));
-  return names;
+  std::vector<std::string> names;
+  for (const Metric metric : limited_metrics()) names.emplace_back(metric_name(metric));
+  return join(names);
 }
 
 /// Of elements of either dimension: which the mesh has is not known yet.
