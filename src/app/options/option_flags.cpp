@@ -73,9 +73,9 @@ std::vector<std::string> words_of(CLI::Option& option) {
   }
   std::vector<std::string> words;
   list = list.substr(1, list.size() - 2).append(separator);  // without its braces
-  for (std::size_t at = 0, end = 0; (end = list.find(separator, at)) != std::string::npos;
-       at = end + separator.size())
-    words.push_back(list.substr(at, end - at));
+  for (std::size_t start = 0, end = 0; (end = list.find(separator, start)) != std::string::npos;
+       start = end + separator.size())
+    words.push_back(list.substr(start, end - start));
   return words;
 }
 

@@ -145,9 +145,10 @@ using Groups = std::vector<std::pair<std::string, std::vector<const ProgramOptio
 Groups groups_of(const ProgramCommand& command) {
   Groups groups;
   for (const ProgramOption& option : command.options) {
-    auto at = std::ranges::find_if(groups, [&](const auto& g) { return g.first == option.group; });
-    if (at == groups.end()) at = groups.insert(at, {option.group, {}});
-    at->second.push_back(&option);
+    auto entry =
+        std::ranges::find_if(groups, [&](const auto& g) { return g.first == option.group; });
+    if (entry == groups.end()) entry = groups.insert(entry, {option.group, {}});
+    entry->second.push_back(&option);
   }
   return groups;
 }

@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "io/format/mesh_in_space.h"
 #include "io/format/periodicity.h"
 
 namespace winslow::io::cgns {
@@ -111,8 +112,7 @@ NodePtr new_tree(const Mesh& mesh, const FormatDetails* details,
   NewZoneSource source;
   source.place = details;
   const int cell_dimension = mesh.topology->cell_dimension();
-  const bool in_space = details != nullptr && (details->plane || !details->plane_z.empty());
-  source.physical_dimension = cell_dimension == 3 || in_space ? 3 : 2;
+  source.physical_dimension = coordinates_in_file(mesh, details);
   const auto& markers = mesh.topology->markers();
   // Zones and families stand side by side and cannot have the same name.
   while (markers.find(source.name)) source.name += "_1";

@@ -3,6 +3,7 @@
 #include "core/mesh/mesh.h"
 #include "io/cgns/tree.h"
 #include "io/format/mesh_format.h"
+#include "io/format/parsed_mesh.h"
 
 /// CGNS files, https://cgns.github.io: the SIDS and their mapping to ADF and HDF5. Bases of cell
 /// dimension 2 and, of unstructured zones, 3; see docs/formats.md for what is read and what is
@@ -11,20 +12,14 @@ namespace winslow::io::cgns {
 
 /// What a CGNS file says beyond a mesh: all of it. A mesh that moved goes back into the tree of its
 /// file, in which only its coordinates change.
-struct Details : FormatDetails {
+struct Details : MarkerDetails {
   NodePtr root;  ///< of the file
   Container container = Container::hdf5;
   std::string base_name, zone_name;
-  Index nodes = 0;  ///< sizes of the mesh that the details belong to
-  Index elements = 0;
-  std::vector<Marker> markers;
   /// Names of the boundary conditions (BC_t) of the zone that make up each marker.
   std::vector<std::vector<std::string>> conditions;
   /// Node of each vertex of the zone, of a structured zone whose cut was closed; empty: the vertex.
   std::vector<Index> node_of_vertex;
-
-  /// True if the tree still describes the mesh: as many nodes and elements, the same markers.
-  bool fits(const Mesh& mesh) const;
 };
 
 extern const MeshFormat format;

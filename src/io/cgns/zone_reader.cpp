@@ -72,9 +72,9 @@ std::vector<Face> UnstructuredBoundary::faces_of(const PointSet& set,
     }
   });
   if (others > 0) {
+    constexpr std::array sides{"", "", "edges (BAR_2)", "faces (TRI_3, QUAD_4)"};
     warnings.push_back(owner + " names " + std::to_string(others) + " elements that are no " +
-                       (dimension_ == 2 ? "edges (BAR_2)" : "faces (TRI_3, QUAD_4)") +
-                       ": they are in no marker");
+                       sides[at(dimension_)] + ": they are in no marker");
   }
   return faces;
 }
@@ -113,8 +113,6 @@ class ZoneReader {
       read_regions(zone_, sides.numbers, mesh_.data, mesh_.warnings);
     }
     warn_of_other_grids();
-    details_->nodes = mesh_.data.node_count();
-    details_->elements = mesh_.data.element_count();
     details_->markers = mesh_.data.markers;
     zone_.set_part();
     return std::move(mesh_);
@@ -172,16 +170,6 @@ class ZoneReader {
 };
 
 }  // namespace
-
-bool Details::fits(const Mesh& mesh) const {
-  const Topology& topology = *mesh.topology;
-  if (nodes != topology.node_count() || elements != topology.element_count()) return false;
-  if (!topology.markers().from_file()) return markers.empty();
-  const auto& own = topology.markers().list();
-  return std::equal(
-      own.begin(), own.end(), markers.begin(), markers.end(),
-      [](const Marker& a, const Marker& b) { return a.name == b.name && a.faces == b.faces; });
-}
 
 ParsedMesh read_zone(Source& source, int number) {
   source.set_part("/");

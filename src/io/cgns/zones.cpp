@@ -97,18 +97,18 @@ std::optional<NodeView> coordinate_node(const NodeView& grid, std::size_t direct
 
 VertexPlaces read_places(const NodeView& grid, const ZoneHead& head) {
   VertexPlaces places;
-  for (std::size_t k = 0; k < 3; ++k) {
+  constexpr std::array wanted{"", "", "CoordinateX and CoordinateY",
+                              "CoordinateX, CoordinateY and CoordinateZ"};
+  // A third coordinate counts in space only: the plane has none.
+  for (std::size_t k = 0; k < at(head.physical_dimension); ++k) {
     const auto node = coordinate_node(grid, k);
-    if (!node && k < (head.cell_dimension == 3 ? 3 : 2)) {
+    if (!node && k < at(head.cell_dimension)) {
       std::string found;
       for (const NodeView& array : grid.children("DataArray_t"))
         found += (found.empty() ? "" : ", ") + array.name();
-      grid.fail(found.empty() ? "no coordinates" : found,
-                head.cell_dimension == 3 ? "CoordinateX, CoordinateY and CoordinateZ"
-                                         : "CoordinateX and CoordinateY");
+      grid.fail(found.empty() ? "no coordinates" : found, wanted[at(head.cell_dimension)]);
     }
-    // A third coordinate counts in space only: the plane has none.
-    if (!node || (k == 2 && head.physical_dimension == 2)) continue;
+    if (!node) continue;
     places.of[k] = node->reals();
     if (static_cast<std::int64_t>(places.of[k].size()) != head.vertex_count) {
       node->fail(std::to_string(places.of[k].size()) + " values",
@@ -216,8 +216,8 @@ std::int64_t element_number(ElementType type) {
 
 std::string element_hint(std::int64_t type, int cell_dimension) {
   const auto element = element_of(type);
-  const bool solid = (element && dimension_of(*element) == 3) || type == nface_n;
-  if (solid && cell_dimension == 2) return " (a 3D mesh)";
+  const int dimension = type == nface_n ? 3 : element ? dimension_of(*element) : 0;
+  if (dimension > cell_dimension) return " (a 3D mesh)";
   if (type == nface_n) return " (polyhedra)";
   const bool known = type > node_element && type < static_cast<std::int64_t>(names.size());
   return known && !element && type != bar_2 && type != mixed && type != ngon_n
@@ -228,9 +228,10 @@ std::string element_hint(std::int64_t type, int cell_dimension) {
 namespace {
 
 const char* wanted(int cell_dimension) {
-  return cell_dimension == 2
-             ? "BAR_2, TRI_3, QUAD_4, MIXED or NGON_n of them"
-             : "TETRA_4, PYRA_5, PENTA_6, HEXA_8 and TRI_3 and QUAD_4 around them, or MIXED";
+  constexpr std::array wanted{
+      "", "", "BAR_2, TRI_3, QUAD_4, MIXED or NGON_n of them",
+      "TETRA_4, PYRA_5, PENTA_6, HEXA_8 and TRI_3 and QUAD_4 around them, or MIXED"};
+  return wanted[at(cell_dimension)];
 }
 
 struct Section {
@@ -311,16 +312,16 @@ class SectionReader {
     return "element " + std::to_string(section_->first + k);
   }
 
-  std::int64_t take(std::int64_t k) {
+  std::int64_t next_number(std::int64_t k) {
     if (at_ >= connectivity_.size()) view_->fail("the end", number(k));
     return connectivity_[at_++];
   }
 
   void read_element(std::int64_t k) {
     std::int64_t type = section_->type;
-    if (type == mixed) type = take(k);
+    if (type == mixed) type = next_number(k);
     if (type == node_element) {
-      take(k);
+      next_number(k);
       return add_point();
     }
     if (type == ngon_n) return read_polygon(k);
@@ -339,7 +340,8 @@ class SectionReader {
 
   void read_polygon(std::int64_t k) {
     const auto place = static_cast<std::size_t>(k);
-    const std::int64_t count = starts_.empty() ? take(k) : starts_[place + 1] - starts_[place];
+    const std::int64_t count =
+        starts_.empty() ? next_number(k) : starts_[place + 1] - starts_[place];
     if (count != 3 && count != 4) {
       section_->view.fail(number(k) + " with " + std::to_string(count) + " corners",
                           "triangles and quadrilaterals");
@@ -357,7 +359,7 @@ class SectionReader {
   void read_corners(std::int64_t k, std::size_t count) {
     corners_.clear();
     for (std::size_t c = 0; c < count; ++c) {
-      const std::int64_t vertex = take(k);
+      const std::int64_t vertex = next_number(k);
       if (vertex < 1 || vertex > vertices_) {
         view_->fail("vertex " + std::to_string(vertex) + " in " + number(k),
                     "1 to " + std::to_string(vertices_));

@@ -36,7 +36,7 @@ std::vector<std::string> marker_overlaps(const Topology& topology) {
   for (std::size_t k = 1; k < all.size(); ++k) {
     if (all[k].nodes == all[k - 1].nodes) ++pairs[{all[k - 1].marker, all[k].marker}];
   }
-  const char* what = topology.cell_dimension() == 2 ? "edge" : "face";
+  const char* what = side_name(topology.cell_dimension());
   std::vector<std::string> warnings;
   for (const auto& [pair, n] : pairs) {
     const std::string& first = markers[pair.first].name;
@@ -68,19 +68,19 @@ const MeshFormat* detect(const Source& source, const std::filesystem::path& path
 
 /// The place in the file of what an error of make_mesh is about.
 std::size_t place_of(const MeshError& error, const SourceMap& where) {
-  const auto at = [](const std::vector<std::size_t>& offsets, Index i) {
+  const auto offset = [](const std::vector<std::size_t>& offsets, Index i) {
     const auto k = static_cast<std::size_t>(i);
     return i >= 0 && k < offsets.size() ? offsets[k] : std::size_t{0};
   };
   switch (error.entity()) {
     case MeshEntity::node:
-      return at(where.nodes, error.index());
+      return offset(where.nodes, error.index());
     case MeshEntity::element:
-      return at(where.elements, error.index());
+      return offset(where.elements, error.index());
     case MeshEntity::marker_face: {
       const auto m = static_cast<std::size_t>(error.marker());
       return error.marker() >= 0 && m < where.marker_edges.size()
-                 ? at(where.marker_edges[m], error.index())
+                 ? offset(where.marker_edges[m], error.index())
                  : 0;
     }
     case MeshEntity::mesh:
@@ -124,6 +124,8 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
   }
   ParsedMesh parsed = file.format->read_zone ? file.format->read_zone(source, options.zone)
                                              : file.format->read(source);
+  parsed.details->nodes = parsed.data.node_count();
+  parsed.details->elements = parsed.data.element_count();
   turn_to_viewer(parsed);
   file.warnings.insert(file.warnings.end(), parsed.warnings.begin(), parsed.warnings.end());
   try {

@@ -146,7 +146,7 @@ Face BoundaryDetails::face(Index coded) const {
 
 bool BoundaryDetails::fits(const Mesh& mesh) const {
   const Topology& topology = *mesh.topology;
-  if (nodes != topology.node_count() || elements != topology.element_count()) return false;
+  if (!same_size(topology)) return false;
   if (!topology.markers().from_file()) return marker_sides.empty();
   const auto& markers = topology.markers();
   if (markers.size() != marker_sides.size()) return false;
@@ -159,6 +159,15 @@ bool BoundaryDetails::fits(const Mesh& mesh) const {
     }
   }
   return true;
+}
+
+bool MarkerDetails::fits(const Mesh& mesh) const {
+  const Topology& topology = *mesh.topology;
+  if (!same_size(topology)) return false;
+  if (!topology.markers().from_file()) return markers.empty();
+  return std::ranges::equal(
+      topology.markers().list(), markers,
+      [](const Marker& a, const Marker& b) { return a.name == b.name && a.faces == b.faces; });
 }
 
 std::size_t GroupIndex::add(int tag, std::string name) {

@@ -56,14 +56,30 @@ struct BoundaryDetails : FormatDetails {
   /// Sides of each marker, in its order: s, or ~s (negative) where the marker holds the reversed
   /// side (as Gmsh allows).
   std::vector<std::vector<Index>> marker_sides;
-  Index nodes = 0;  ///< sizes of the mesh that this belongs to
-  Index elements = 0;
 
   /// The face that an entry of marker_sides stands for.
   Face face(Index coded) const;
   /// True if this still describes the mesh: as many nodes and elements, the same marker faces.
   bool fits(const Mesh& mesh) const;
 };
+
+/// Details of a format that holds markers as we do.
+struct MarkerDetails : FormatDetails {
+  std::vector<Marker> markers;  ///< as they were read
+  /// True if this still describes the mesh: as many nodes and elements, the same markers.
+  bool fits(const Mesh& mesh) const;
+};
+
+/// "edge" or "face": what surrounds elements of that dimension, and markers are made of.
+constexpr const char* side_name(int cell_dimension) {
+  constexpr std::array names{"", "", "edge", "face"};
+  return names[at(cell_dimension)];
+}
+/// Whether a face is such a side: of one dimension less than the elements.
+inline bool is_side(const Face& face, int cell_dimension) {
+  const int dimension = face.size() == 2 ? 1 : 2;
+  return dimension + 1 == cell_dimension;
+}
 
 /// Numbered groups of a file (physical groups, tagged cells): a name for every tag, no name twice.
 class GroupIndex {

@@ -15,6 +15,10 @@ struct PhysicalName {
   std::string name;
 };
 
+/// By dimension: what an entity is called, and how many numbers of Entity::box a file has of it.
+constexpr std::array<const char*, 4> entity_names{"point", "curve", "surface", "volume"};
+constexpr std::array<std::size_t, 4> box_numbers{3, 6, 6, 6};
+
 /// Geometric entity of a 4.1 file. `box` is minimum x y z, maximum x y z; a point has its place
 /// in the first three.
 struct Entity {
@@ -90,6 +94,9 @@ struct Details : BoundaryDetails {
   std::vector<std::int64_t> node_tags;          ///< empty: 1, 2, 3, ...
   std::vector<Item> items;
   std::vector<PeriodicLink> links;  ///< what the raw text of $Periodic says
+
+  /// Nodes of an item that is a point or a side; empty: it is an element of the mesh.
+  std::span<const Index> nodes_beside(const Item& item) const;
 };
 
 /// Boxes around the nodes of each entity (those in its node blocks and its elements), by dimension

@@ -75,8 +75,8 @@ class NodeReader {
     xyz_.reserve(3 * static_cast<std::size_t>(n));
     for (Index i = 0; i < n; ++i) {
       const Expected expected{"node", i, n};
-      const std::size_t at = values.begin();
-      add_tag(values.integer(expected), at);
+      const std::size_t start = values.begin();
+      add_tag(values.integer(expected), start);
       for (int k = 0; k < 3; ++k) xyz_.push_back(values.real({"a coordinate of node", i, n}));
       values.end({"the end of the line after node", i, n});
     }
@@ -84,7 +84,7 @@ class NodeReader {
 
   void read_version_4(ValueReader& values) {
     values.begin();
-    const std::size_t at = values.offset();
+    const std::size_t start = values.offset();
     const Index blocks = values.count({"the number of node blocks"}, 8, 20);
     const Index total = values.count({"the number of nodes"}, 8, 32);
     values.size({"the smallest node tag"});
@@ -96,29 +96,29 @@ class NodeReader {
     for (Index b = 0; b < blocks; ++b) read_block(values, b, blocks, total);
     const auto found = static_cast<Index>(details_.node_tags.size());
     if (found != total) {
-      scan_.source().fail(at, std::to_string(total) + " as the number of nodes",
+      scan_.source().fail(start, std::to_string(total) + " as the number of nodes",
                           std::to_string(found) + ", the sum over the blocks");
     }
   }
 
   void read_block(ValueReader& values, Index block, Index blocks, Index total) {
     const Expected header{"node block", block, blocks};
-    const std::size_t at = values.begin();
+    const std::size_t start = values.begin();
     const int dimension = values.integer(header);
     const int entity = values.integer(header);
     const int parametric = values.integer(header);
     if (dimension < 0 || dimension > 3) {
-      scan_.source().fail(at, std::to_string(dimension) + " as the dimension of a node block",
+      scan_.source().fail(start, std::to_string(dimension) + " as the dimension of a node block",
                           "0 to 3");
     }
     if (parametric != 0 && parametric != 1) {
-      scan_.source().fail(at, std::to_string(parametric), "0 or 1 (parametric)");
+      scan_.source().fail(start, std::to_string(parametric), "0 or 1 (parametric)");
     }
     const Index n = values.count({"the number of nodes of a block"}, 8, 32);
     values.end(header);
     const auto before = static_cast<Index>(details_.node_tags.size());
     if (n > total - before) {
-      scan_.source().fail(at, std::to_string(n) + " nodes in a block",
+      scan_.source().fail(start, std::to_string(n) + " nodes in a block",
                           "at most " + std::to_string(total - before) + ", the rest of all " +
                               std::to_string(total) + " nodes");
     }
@@ -229,15 +229,15 @@ class ElementReader {
   void read_version_2_binary(ValueReader& values, Index count) {
     for (Index done = 0; done < count;) {
       const Expected header{"element block at element", done, count};
-      const std::size_t at = values.begin();
-      const Shape shape = find_shape(values.integer(header), at);
+      const std::size_t start = values.begin();
+      const Shape shape = find_shape(values.integer(header), start);
       const int in_block = values.integer(header);
       const int tags = values.integer(header);
       if (in_block <= 0 || in_block > count - done) {
-        source().fail(at, std::to_string(in_block) + " elements in a block",
+        source().fail(start, std::to_string(in_block) + " elements in a block",
                       "1 to " + std::to_string(count - done) + ", the rest of all elements");
       }
-      if (tags < 0) source().fail(at, std::to_string(tags) + " tags", "0 or more");
+      if (tags < 0) source().fail(start, std::to_string(tags) + " tags", "0 or more");
       for (int i = 0; i < in_block; ++i, ++done) {
         Record record{{0, 0, 0, 0, shape}, values.begin(), {"element", done, count}};
         record.item.tag = values.integer(record.expected);
@@ -248,7 +248,7 @@ class ElementReader {
   }
 
   void read_version_4(ValueReader& values) {
-    const std::size_t at = values.begin();
+    const std::size_t start = values.begin();
     const Index blocks = values.count({"the number of element blocks"}, 8, 20);
     const Index total = values.count({"the number of elements"}, 4, 16);
     values.size({"the smallest element tag"});
@@ -277,7 +277,7 @@ class ElementReader {
       }
     }
     if (done != total) {
-      source().fail(at, std::to_string(total) + " as the number of elements",
+      source().fail(start, std::to_string(total) + " as the number of elements",
                     std::to_string(done) + ", the sum over the blocks");
     }
   }
@@ -305,12 +305,13 @@ class ElementReader {
   void read_element_nodes(ValueReader& values, const Record& record) {
     const Index size = info_of(record.item.shape).corners;
     for (Index k = 0; k < size; ++k) {
-      const std::size_t at = values.offset();
+      const std::size_t start = values.offset();
       // Nodes are 4 bytes in binary MSH 2, 8 in binary MSH 4.
       const std::int64_t tag =
           details_.version_4 ? values.size(record.expected) : values.integer(record.expected);
       const Index node = node_tags_.find(tag);
-      if (node < 0) source().fail(at, "node " + std::to_string(tag), "the tag of a node in $Nodes");
+      if (node < 0)
+        source().fail(start, "node " + std::to_string(tag), "the tag of a node in $Nodes");
       corners_.push_back(node);
     }
     details_.items.push_back(record.item);
@@ -322,12 +323,12 @@ class ElementReader {
     for (const Item& item : details_.items)
       details_.dimension = std::max(details_.dimension, info_of(item.shape).dimension);
     const std::span<const Index> all(corners_);
-    std::size_t at = 0;
+    std::size_t start = 0;
     const Item* last = nullptr;
     for (std::size_t i = 0; i < details_.items.size(); ++i) {
       const auto size = static_cast<std::size_t>(info_of(details_.items[i].shape).corners);
-      place(i, all.subspan(at, size), last);
-      at += size;
+      place(i, all.subspan(start, size), last);
+      start += size;
       last = &details_.items[i];
     }
     corners_ = {};
@@ -411,16 +412,16 @@ class Reader {
     if (size != "8") scan_.fail(size, "8 as the size of a number");
     scan_.end_line({"the end of the line"});
     if (details_->binary) {
-      const std::size_t at = scan_.offset();
-      source_.set_binary_from(at);
+      const std::size_t start = scan_.offset();
+      source_.set_binary_from(start);
       ValueReader values(scan_, true);
       const int one = values.integer({"the integer 1"});
       if (one == 0x01000000) {
-        source_.fail(at, "numbers in big-endian byte order",
+        source_.fail(start, "numbers in big-endian byte order",
                      "little-endian (save the file as ASCII)");
       }
       if (one != 1)
-        source_.fail(at, std::to_string(one), "the integer 1, which tells the byte order");
+        source_.fail(start, std::to_string(one), "the integer 1, which tells the byte order");
     }
     end_section("MeshFormat");
   }
@@ -463,14 +464,16 @@ class Reader {
   void read_raw(const std::string& name, std::size_t begin) {
     const std::string end = "$End" + name;
     const auto text = source_.text();
-    auto at = text.find(end, begin);
-    while (at != std::string_view::npos && text[at - 1] != '\n') at = text.find(end, at + 1);
-    if (at == std::string_view::npos) {
+    auto start = text.find(end, begin);
+    while (start != std::string_view::npos && text[start - 1] != '\n')
+      start = text.find(end, start + 1);
+    if (start == std::string_view::npos) {
       source_.fail(begin, "section $" + name + " without end", end);
     }
-    scan_.seek(at);
+    scan_.seek(start);
     scan_.line();
-    details_->sections.push_back({name, std::string(text.substr(begin, at - begin)) + end + "\n"});
+    details_->sections.push_back(
+        {name, std::string(text.substr(begin, start - begin)) + end + "\n"});
     if (name != "Comments") {
       mesh_.warnings.push_back("section $" + name + " is not understood; it is kept as it is");
     }
@@ -482,22 +485,22 @@ class Reader {
     scan_.end_line({"the end of the line"});
     for (Index i = 0; i < n; ++i) {
       scan_.skip_space();
-      const std::size_t at = scan_.offset();
+      const std::size_t start = scan_.offset();
       ValueReader values(scan_, false);
       PhysicalName entry{};
       entry.dimension = values.integer({"dimension of physical name", i, n});
       entry.tag = values.integer({"tag of physical name", i, n});
       if (entry.dimension < 0 || entry.dimension > 3) {
-        source_.fail(at, std::to_string(entry.dimension), "a dimension from 0 to 3");
+        source_.fail(start, std::to_string(entry.dimension), "a dimension from 0 to 3");
       }
       const auto rest = trimmed(scan_.line());
       if (rest.size() < 2 || rest.front() != '"' || rest.back() != '"') {
-        source_.fail(at, rest.empty() ? "the end of the line" : in_quotes(rest),
+        source_.fail(start, rest.empty() ? "the end of the line" : in_quotes(rest),
                      "a name in quotes");
       }
       entry.name = rest.substr(1, rest.size() - 2);
       if (!named_groups_.emplace(entry.dimension, entry.tag).second) {
-        source_.fail(at, "a second name for physical group " + std::to_string(entry.tag),
+        source_.fail(start, "a second name for physical group " + std::to_string(entry.tag),
                      "one only");
       }
       details_->physical_names.push_back(std::move(entry));
@@ -525,24 +528,23 @@ class Reader {
     for (Index& n : counts) n = values.count({"a number of entities"}, 8, 36);
     values.end({"the end of the line"});
     for (int dimension = 0; dimension < 4; ++dimension) {
-      const Index n = counts[static_cast<std::size_t>(dimension)];
+      const Index n = counts[at(dimension)];
       for (Index i = 0; i < n; ++i) read_entity(values, dimension, i, n);
     }
   }
 
   void read_entity(ValueReader& values, int dimension, Index index, Index count) {
-    static constexpr std::array<const char*, 4> names{"point entity", "curve entity",
-                                                      "surface entity", "volume entity"};
-    const Expected expected{names[static_cast<std::size_t>(dimension)], index, count};
+    const std::string what = std::string(entity_names[at(dimension)]) + " entity";
+    const Expected expected{what.c_str(), index, count};
     values.begin();
     Entity entity;
     entity.tag = values.integer(expected);
-    const std::size_t numbers = dimension == 0 ? 3 : 6;
-    for (std::size_t k = 0; k < numbers; ++k) entity.box[k] = values.real(expected);
+    for (std::size_t k = 0; k < box_numbers[at(dimension)]; ++k)
+      entity.box[k] = values.real(expected);
     entity.physicals = read_tags(values, "a physical tag");
     if (dimension > 0) entity.boundary = read_tags(values, "the tag of a bounding entity");
     values.end(expected);
-    details_->entities[static_cast<std::size_t>(dimension)].push_back(std::move(entity));
+    details_->entities[at(dimension)].push_back(std::move(entity));
   }
 
   std::vector<int> read_tags(ValueReader& values, const char* what) {
@@ -566,8 +568,6 @@ class Reader {
     if (elements_.partitioned()) {
       mesh_.warnings.emplace_back("the partitions of elements are not kept");
     }
-    details_->nodes = mesh_.data.node_count();
-    details_->elements = mesh_.data.element_count();
     if (details_->version_4) {
       const EntityBoxes boxes = entity_boxes(*details_, mesh_.data);
       for (std::size_t d = 0; d < 4; ++d) {

@@ -96,7 +96,7 @@ class Writer {
         const bool moved = boxes[d][i] && boxes[d][i] != entity.mesh_box;
         const auto& box = moved ? *boxes[d][i] : entity.box;
         values_.integer(entity.tag);
-        for (std::size_t k = 0; k < (d == 0 ? 3U : 6U); ++k) values_.real(box[k]);
+        for (std::size_t k = 0; k < box_numbers[d]; ++k) values_.real(box[k]);
         write_tags(entity.physicals);
         if (d > 0) write_tags(entity.boundary);
         values_.end();
@@ -168,12 +168,10 @@ class Writer {
   }
 
   FileCorners nodes_of(const Item& item) const {
-    const auto i = static_cast<std::size_t>(item.index);
-    const int dimension = info_of(item.shape).dimension;
-    if (dimension == details_.dimension) return space_.element(item.index);
-    if (dimension == 0) return {{details_.points[i]}, 1};
-    FileCorners corners;
-    for (const Index node : details_.sides[i]) corners.nodes[corners.count++] = node;
+    const std::span<const Index> nodes = details_.nodes_beside(item);
+    if (nodes.empty()) return space_.element(item.index);
+    FileCorners corners{{}, nodes.size()};
+    std::ranges::copy(nodes, corners.nodes.begin());
     return corners;
   }
 

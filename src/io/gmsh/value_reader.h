@@ -31,30 +31,30 @@ class ValueReader {
   }
 
   int integer(const Expected& expected) {
-    if (binary_) return take<std::int32_t>(expected);
-    const std::size_t at = scan_.offset();
+    if (binary_) return read_bytes<std::int32_t>(expected);
+    const std::size_t start = scan_.offset();
     const auto value = scan_.integer(expected);
     if (value != static_cast<int>(value))
-      scan_.source().fail(at, std::to_string(value), expected.text());
+      scan_.source().fail(start, std::to_string(value), expected.text());
     return static_cast<int>(value);
   }
   std::int64_t size(const Expected& expected) {
-    return binary_ ? take<std::int64_t>(expected) : scan_.integer(expected);
+    return binary_ ? read_bytes<std::int64_t>(expected) : scan_.integer(expected);
   }
   double real(const Expected& expected) {
-    return binary_ ? take<double>(expected) : scan_.number(expected);
+    return binary_ ? read_bytes<double>(expected) : scan_.number(expected);
   }
   /// A count of things of at least `text_bytes` (in text) or `binary_bytes` bytes each.
   Index count(const Expected& expected, std::size_t text_bytes, std::size_t binary_bytes) {
-    const std::size_t at = scan_.offset();
+    const std::size_t start = scan_.offset();
     const auto n = size(expected);
-    return checked_count(scan_.source(), at, n, binary_ ? binary_bytes : text_bytes,
+    return checked_count(scan_.source(), start, n, binary_ ? binary_bytes : text_bytes,
                          scan_.bytes_left(), expected);
   }
 
  private:
   template <class Value>
-  Value take(const Expected& expected) {
+  Value read_bytes(const Expected& expected) {
     if (scan_.bytes_left() < sizeof(Value)) {
       scan_.source().fail(scan_.source().text().size(), "the end of the file", expected.text());
     }

@@ -26,7 +26,8 @@ struct Details : BoundaryDetails {
     enum class Part { raw, dimension, vertices, cells } part;
     std::string raw;             ///< bytes as they are: names, and what we do not know
     const Kind* kind = nullptr;  ///< of cells
-    Index first = 0, count = 0;  ///< of the sides, or of the elements of the mesh
+    bool elements = false;       ///< those of the mesh; else sides
+    Index first = 0, count = 0;  ///< among these
   };
   int version = 2;    ///< 1 is single precision to other programs
   int dimension = 3;  ///< of the coordinates

@@ -36,15 +36,6 @@ fs::path find_folder(const fs::path& path) {
 
 }  // namespace
 
-bool Details::fits(const Mesh& mesh) const {
-  const Topology& topology = *mesh.topology;
-  if (nodes != topology.node_count() || elements != topology.element_count()) return false;
-  if (!topology.markers().from_file()) return markers.empty();
-  return std::ranges::equal(
-      topology.markers().list(), markers,
-      [](const Marker& a, const Marker& b) { return a.name == b.name && a.faces == b.faces; });
-}
-
 const MeshFormat format{.name = "foam",
                         .title = "OpenFOAM",
                         .versions = "the folder polyMesh",

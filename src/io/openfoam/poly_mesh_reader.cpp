@@ -73,8 +73,8 @@ class FoamScanner {
 
   /// The length of a list, whose entries take at least so many bytes each.
   Index count(const Expected& expected, std::size_t bytes_each) {
-    const std::size_t at = offset();
-    return checked_count(source_, at, integer(expected), bytes_each, bytes_left(), expected);
+    const std::size_t start = offset();
+    return checked_count(source_, start, integer(expected), bytes_each, bytes_left(), expected);
   }
 
   [[noreturn]] void fail(std::string_view word, const std::string& expected) const {
@@ -212,8 +212,6 @@ class Reader {
     if (mesh_.data.types.empty()) source_.fail(ranges_[2].begin, "no cells", "a mesh");
     set_space_nodes(source_, xyz, mesh_);
     read_patches();
-    details_->nodes = mesh_.data.node_count();
-    details_->elements = mesh_.data.element_count();
     details_->markers = mesh_.data.markers;
     return std::move(mesh_);
   }

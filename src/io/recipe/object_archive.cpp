@@ -208,7 +208,7 @@ const json* ObjectReader::find(const char* key) {
   return found == object_.end() ? nullptr : &*found;
 }
 
-const json& ObjectReader::at(const char* key) {
+const json& ObjectReader::needed(const char* key) {
   const json* found = find(key);
   if (!found) throw JsonValueError(path_, "the key \"" + std::string(key) + "\" is missing");
   return *found;
@@ -314,7 +314,7 @@ void read_value(const json& value, const std::string& path, const OptionValue& o
 
 void read_option(ObjectReader& reader, const Option& option) {
   const std::string key(option.key);
-  const json* value = option.required ? &reader.at(key.c_str()) : reader.find(key.c_str());
+  const json* value = option.required ? &reader.needed(key.c_str()) : reader.find(key.c_str());
   if (!value) return;
   const std::string path = reader.path_of(key.c_str());
   read_value(*value, path, option.value);

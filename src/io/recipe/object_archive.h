@@ -53,7 +53,7 @@ class ObjectReader {
   /// A field that must be there.
   template <class Value>
   void required(const char* key, Value& value) {
-    read(at(key), path_of(key), value);
+    read(needed(key), path_of(key), value);
   }
   /// An object within; `fields` is called with a reader of it.
   template <class Fields>
@@ -71,7 +71,7 @@ class ObjectReader {
   /// The raw value, null if it is missing; finish() knows its key from then on.
   const nlohmann::json* find(const char* key);
   /// The raw value; throws JsonValueError if it is missing.
-  const nlohmann::json& at(const char* key);
+  const nlohmann::json& needed(const char* key);
   std::string path_of(const char* key) const;
   const std::string& path() const { return path_; }
 

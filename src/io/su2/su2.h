@@ -32,10 +32,8 @@ struct Details : FormatDetails {
   /// What follows the coordinates in the line of each point, where that is more than the
   /// point's number (a third coordinate of a plane mesh, two numbers); else empty.
   std::vector<std::string> point_tails;
-  int raw_markers = 0;  ///< markers kept as text (SEND_RECEIVE)
-  Index nodes = 0;      ///< sizes of the mesh that the details belong to
-  Index elements = 0;
-  std::size_t markers = 0;
+  int raw_markers = 0;      ///< markers kept as text (SEND_RECEIVE)
+  std::size_t markers = 0;  ///< of the mesh that was read
   /// Of a file of several zones: what stands before the first one, then each zone as it is.
   std::shared_ptr<const std::vector<std::string>> blocks;
   std::size_t block = 0;             ///< the zone's place in `blocks`
@@ -74,7 +72,7 @@ std::int64_t face_number(std::size_t corners);
 /// Number of corners of such a face of elements of that dimension; 0: it cannot be one.
 std::size_t face_corners(std::int64_t number, int dimension);
 
-/// "5 (triangle) or 9 (quadrilateral)": what elements of that dimension are.
+/// "5 (triangle) or 9 (quadrilateral)": what elements of that dimension, from 1 on, are.
 std::string element_list(int dimension);
 /// " (second order)" and the like: why an element type is none of the elements, or of the elements
 /// of markers, of a mesh of those dimensions; may be empty.

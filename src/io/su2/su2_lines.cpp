@@ -52,8 +52,9 @@ struct Keyword {
 std::vector<Keyword> lines_of(const Source& source, std::string_view key) {
   std::vector<Keyword> found;
   const auto text = source.text();
-  for (auto at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
-    const auto newline = text.rfind('\n', at);
+  for (auto start = text.find(key); start != std::string_view::npos;
+       start = text.find(key, start + 1)) {
+    const auto newline = text.rfind('\n', start);
     const std::size_t begin = newline == std::string_view::npos ? 0 : newline + 1;
     const Line line = LineReader(source, begin, text.size()).next();
     const bool seen = !found.empty() && found.back().line_begin == begin;  // again in a comment

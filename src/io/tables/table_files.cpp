@@ -21,7 +21,7 @@ class LineWalk {
   }
 
   /// The line through an edge that is not used yet, as far as it goes both ways.
-  BoundaryLine take(std::size_t first) {
+  BoundaryLine line_from(std::size_t first) {
     used_[first] = true;
     std::deque<Index> nodes{edges_[first][0], edges_[first][1]};
     while (nodes.front() != nodes.back()) {
@@ -139,7 +139,7 @@ std::vector<BoundaryLine> boundary_lines(const Marker& marker) {
   LineWalk walk(marker);
   std::vector<BoundaryLine> lines;
   for (std::size_t e = 0; e < marker.faces.size(); ++e)
-    if (!walk.used(e)) lines.push_back(walk.take(e));
+    if (!walk.used(e)) lines.push_back(walk.line_from(e));
   return lines;
 }
 

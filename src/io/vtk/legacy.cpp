@@ -271,26 +271,26 @@ class LegacyReader {
   void read_cell_list(std::size_t n, std::size_t size, std::size_t begin) {
     std::vector<std::size_t> places;
     const auto list = arrays_.integers(size, int32, {"a number in the list of cells"}, &places);
-    std::size_t at = 0;
+    std::size_t next = 0;
     for (std::size_t c = 0; c < n; ++c) {
-      if (at >= size) {
+      if (next >= size) {
         source_.fail(begin, "a list of " + std::to_string(size) + " numbers",
                      std::to_string(n) + " cells");
       }
-      const auto corners = list[at];
-      grid_.cell_places.push_back(places[at]);
-      if (corners < 0 || static_cast<std::uint64_t>(corners) > size - at - 1) {
-        source_.fail(places[at], std::to_string(corners) + " as the size of a cell",
+      const auto corners = list[next];
+      grid_.cell_places.push_back(places[next]);
+      if (corners < 0 || static_cast<std::uint64_t>(corners) > size - next - 1) {
+        source_.fail(places[next], std::to_string(corners) + " as the size of a cell",
                      "at most what the list holds");
       }
-      const auto from = list.begin() + static_cast<std::ptrdiff_t>(at) + 1;
+      const auto from = list.begin() + static_cast<std::ptrdiff_t>(next) + 1;
       grid_.connectivity.insert(grid_.connectivity.end(), from, from + corners);
       grid_.offsets.push_back(static_cast<std::int64_t>(grid_.connectivity.size()));
-      at += static_cast<std::size_t>(corners) + 1;
+      next += static_cast<std::size_t>(corners) + 1;
     }
-    if (at != size) {
+    if (next != size) {
       source_.fail(begin, std::to_string(size) + " as the length of the list of cells",
-                   std::to_string(at));
+                   std::to_string(next));
     }
   }
 
@@ -333,13 +333,13 @@ class LegacyReader {
   }
 
   void begin_data(bool of_cells, std::size_t expected) {
-    const std::size_t at = scan_.offset();
+    const std::size_t start = scan_.offset();
     const auto n = scan_.index({"the number of values"});
     scan_.end_line({"the end of the line"});
     place_ = of_cells ? Place::cells : Place::points;
     values_ = static_cast<std::size_t>(n);
     if (values_ != expected) {
-      source_.fail(at, "data for " + std::to_string(n) + (of_cells ? " cells" : " points"),
+      source_.fail(start, "data for " + std::to_string(n) + (of_cells ? " cells" : " points"),
                    std::to_string(expected));
     }
   }

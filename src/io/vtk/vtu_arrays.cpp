@@ -218,11 +218,11 @@ std::string VtuArrays::inflated(std::string_view stream, const pugi::xml_node& a
   const std::uint64_t block_size = integer_at(stream, w, w);
   const std::uint64_t last_size = integer_at(stream, 2 * w, w);
   std::string data;
-  std::size_t at = static_cast<std::size_t>(blocks + 3) * w;
+  std::size_t start = static_cast<std::size_t>(blocks + 3) * w;
   for (std::uint64_t b = 0; b < blocks; ++b) {
     const std::uint64_t packed = integer_at(stream, static_cast<std::size_t>(3 + b) * w, w);
     const std::uint64_t size = b + 1 == blocks && last_size != 0 ? last_size : block_size;
-    if (packed > stream.size() - at || size / best_compression > packed) {
+    if (packed > stream.size() - start || size / best_compression > packed) {
       fail(array, "a compressed block of " + std::to_string(packed) + " bytes in " + name_of(array),
            "sizes that fit the data");
     }
@@ -230,12 +230,12 @@ std::string VtuArrays::inflated(std::string_view stream, const pugi::xml_node& a
     data.resize(before + static_cast<std::size_t>(size));
     auto length = static_cast<uLongf>(size);
     const int result = ::uncompress(reinterpret_cast<Bytef*>(data.data() + before), &length,
-                                    reinterpret_cast<const Bytef*>(stream.data() + at),
+                                    reinterpret_cast<const Bytef*>(stream.data() + start),
                                     static_cast<uLong>(packed));
     if (result != Z_OK || length != size) {
       fail(array, "compressed data that zlib refuses in " + name_of(array), "zlib data");
     }
-    at += static_cast<std::size_t>(packed);
+    start += static_cast<std::size_t>(packed);
   }
   return data;
 }
@@ -288,8 +288,8 @@ std::string_view VtuArrays::appended_piece(std::string_view stream,
   header = head(header_size);
   std::uint64_t packed = 0;
   for (std::uint64_t b = 0; b < first; ++b) {
-    const auto at = static_cast<std::size_t>(3 + b) * header_bytes_;
-    packed += std::min(integer_at(header, at, header_bytes_), most);
+    const auto start = static_cast<std::size_t>(3 + b) * header_bytes_;
+    packed += std::min(integer_at(header, start, header_bytes_), most);
   }
   return stream.substr(0, encoded_size(header_size) + encoded_size(std::min(packed, most)));
 }
@@ -337,9 +337,9 @@ std::vector<Number> VtuArrays::read(const pugi::xml_node& array, std::vector<std
          "a multiple of " + std::to_string(type.bytes));
   }
   values.reserve(bytes.size() / type.bytes);
-  for (std::size_t at = 0; at < bytes.size(); at += type.bytes) {
-    if (places != nullptr) places->push_back(first + (compressed_ ? 0 : at));
-    values.push_back(number_at<Number>(bytes.data() + at, type, big_endian_));
+  for (std::size_t start = 0; start < bytes.size(); start += type.bytes) {
+    if (places != nullptr) places->push_back(first + (compressed_ ? 0 : start));
+    values.push_back(number_at<Number>(bytes.data() + start, type, big_endian_));
   }
   return values;
 }
