@@ -1,7 +1,5 @@
 #include "io/cgns/tree.h"
 
-#include <algorithm>
-#include <array>
 #include <cstring>
 
 namespace winslow::io::cgns {

@@ -1,6 +1,5 @@
 #include "io/cgns/cgns.h"
 
-#include <bit>
 #include <set>
 
 #include "io/cgns/zones.h"

@@ -103,9 +103,8 @@ VertexPlaces read_places(const NodeView& grid, const ZoneHead& head) {
   for (std::size_t k = 0; k < at(head.physical_dimension); ++k) {
     const auto node = coordinate_node(grid, k);
     if (!node && k < at(head.cell_dimension)) {
-      std::string found;
-      for (const NodeView& array : grid.children("DataArray_t"))
-        found += (found.empty() ? "" : ", ") + array.name();
+      const std::string found =
+          list_of(grid.children("DataArray_t"), [](const NodeView& array) { return array.name(); });
       grid.fail(found.empty() ? "no coordinates" : found, wanted[at(head.cell_dimension)]);
     }
     if (!node) continue;

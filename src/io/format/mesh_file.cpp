@@ -147,9 +147,8 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
 std::vector<std::string> zones_left(const FormatDetails* details,
                                     const std::filesystem::path& path) {
   if (!details || details->zones.size() < 2) return {};
-  std::string numbers;
-  for (const int number : details->zones)
-    numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
+  const std::string numbers =
+      list_of(details->zones, [](int number) { return std::to_string(number); });
   return {path.string() + ": has " + std::to_string(details->zones.size()) + " zones (" + numbers +
           "); this is zone " + std::to_string(details->zone) + ", --zone N opens another"};
 }

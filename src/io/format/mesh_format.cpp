@@ -47,10 +47,8 @@ const MeshFormat* format_of_content(std::string_view bytes) {
 }
 
 std::string supported_extensions() {
-  std::string text;
-  for (const MeshFormat* format : mesh_formats())
-    text += (text.empty() ? "." : ", .") + std::string(format->name);
-  return text;
+  return list_of(mesh_formats(),
+                 [](const MeshFormat* format) { return '.' + std::string(format->name); });
 }
 
 std::string binary_formats() {

@@ -96,8 +96,8 @@ class NodeReader {
     for (Index b = 0; b < blocks; ++b) read_block(values, b, blocks, total);
     const auto found = static_cast<Index>(details_.node_tags.size());
     if (found != total) {
-      scan_.source().fail(start, std::to_string(total) + " as the number of nodes",
-                          std::to_string(found) + ", the sum over the blocks");
+      source().fail(start, std::to_string(total) + " as the number of nodes",
+                    std::to_string(found) + ", the sum over the blocks");
     }
   }
 
@@ -108,19 +108,19 @@ class NodeReader {
     const int entity = values.integer(header);
     const int parametric = values.integer(header);
     if (dimension < 0 || dimension > 3) {
-      scan_.source().fail(start, std::to_string(dimension) + " as the dimension of a node block",
-                          "0 to 3");
+      source().fail(start, std::to_string(dimension) + " as the dimension of a node block",
+                    "0 to 3");
     }
     if (parametric != 0 && parametric != 1) {
-      scan_.source().fail(start, std::to_string(parametric), "0 or 1 (parametric)");
+      source().fail(start, std::to_string(parametric), "0 or 1 (parametric)");
     }
     const Index n = values.count({"the number of nodes of a block"}, 8, 32);
     values.end(header);
     const auto before = static_cast<Index>(details_.node_tags.size());
     if (n > total - before) {
-      scan_.source().fail(start, std::to_string(n) + " nodes in a block",
-                          "at most " + std::to_string(total - before) + ", the rest of all " +
-                              std::to_string(total) + " nodes");
+      source().fail(start, std::to_string(n) + " nodes in a block",
+                    "at most " + std::to_string(total - before) + ", the rest of all " +
+                        std::to_string(total) + " nodes");
     }
     details_.node_blocks.push_back({dimension, entity, n});
     for (Index i = 0; i < n; ++i) {
@@ -143,7 +143,7 @@ class NodeReader {
 
   void add_tag(std::int64_t tag, std::size_t offset) {
     if (tag <= 0)
-      scan_.source().fail(offset, std::to_string(tag) + " as a node tag", "a positive number");
+      source().fail(offset, std::to_string(tag) + " as a node tag", "a positive number");
     details_.node_tags.push_back(tag);
     mesh_.where.nodes.push_back(offset);
   }
@@ -152,9 +152,8 @@ class NodeReader {
     auto& tags = details_.node_tags;
     if (const auto twice = tags_.build(tags)) {
       const auto i = static_cast<std::size_t>(*twice);
-      scan_.source().fail(mesh_.where.nodes[i],
-                          "node tag " + std::to_string(tags[i]) + " a second time",
-                          "each tag once");
+      source().fail(mesh_.where.nodes[i], "node tag " + std::to_string(tags[i]) + " a second time",
+                    "each tag once");
     }
     bool counted = true;
     for (std::size_t i = 0; i < tags.size(); ++i) {
@@ -162,6 +161,8 @@ class NodeReader {
     }
     if (counted) tags = {};
   }
+
+  const Source& source() const { return scan_.source(); }
 
   Scanner& scan_;
   Details& details_;

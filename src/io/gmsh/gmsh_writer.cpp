@@ -9,6 +9,9 @@
 namespace winslow::io::gmsh {
 namespace {
 
+static_assert(std::endian::native == std::endian::little,
+              "binary MSH files are written as they lie in memory");
+
 /// Writes numbers as text, with blanks between, or as bytes: the counterpart of ValueReader.
 class ValueWriter {
  public:

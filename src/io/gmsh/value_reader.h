@@ -1,7 +1,5 @@
 #pragma once
 
-#include <bit>
-#include <cstring>
 #include <unordered_map>
 
 #include "core/types.h"
@@ -9,9 +7,6 @@
 #include "io/text/source.h"
 
 namespace winslow::io::gmsh {
-
-static_assert(std::endian::native == std::endian::little,
-              "binary MSH files are read and written as they lie in memory");
 
 /// The numbers of a section, from text or from bytes: one parser serves both.
 class ValueReader {
@@ -53,15 +48,10 @@ class ValueReader {
   }
 
  private:
-  template <class Value>
-  Value read_bytes(const Expected& expected) {
-    if (scan_.bytes_left() < sizeof(Value)) {
-      scan_.source().fail(scan_.source().text().size(), "the end of the file", expected.text());
-    }
-    Value value;
-    std::memcpy(&value, scan_.source().text().data() + scan_.offset(), sizeof value);
-    scan_.seek(scan_.offset() + sizeof value);
-    return value;
+  template <class Number>
+  Number read_bytes(const Expected& expected) {
+    return scan_.bytes<Number>({std::is_floating_point_v<Number>, true, sizeof(Number)}, false,
+                               expected);
   }
 
   Scanner& scan_;

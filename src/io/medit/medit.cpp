@@ -77,8 +77,7 @@ class Reader {
       const auto text = source_.text();
       for (auto start = text.find(kind.keyword); start != std::string_view::npos;
            start = text.find(kind.keyword, start + 1)) {
-        const auto newline = text.rfind('\n', start);
-        const std::size_t begin = newline == std::string_view::npos ? 0 : newline + 1;
+        const std::size_t begin = line_begin(text, start);
         if (!trimmed(text.substr(begin, start - begin)).empty()) continue;
         Scanner scan(source_, start);
         scan.word();

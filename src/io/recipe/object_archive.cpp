@@ -5,6 +5,8 @@
 #include <set>
 #include <sstream>
 
+#include "io/text/source.h"
+
 namespace winslow::io {
 namespace {
 
@@ -217,9 +219,8 @@ const json& ObjectReader::needed(const char* key) {
 void ObjectReader::finish() const {
   for (const auto& [key, value] : object_.items()) {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-    std::string list;
-    for (const std::string& name : known_) list += (list.empty() ? "" : ", ") + name;
-    throw JsonValueError(path_of(key.c_str()), "unknown key, expected one of " + list);
+    throw JsonValueError(path_of(key.c_str()),
+                         "unknown key, expected one of " + list_of(known_, std::identity()));
   }
 }
 

@@ -419,33 +419,19 @@ class Reader {
   bool renumbered_ = false;
 };
 
-/// The first line "KEY=" of a part of the file.
-std::optional<Line> find_line(const Source& source, std::size_t begin, std::size_t end,
-                              std::string_view key) {
-  const auto text = source.text().substr(0, end);
-  for (auto start = text.find(key, begin); start != std::string_view::npos;
-       start = text.find(key, start + 1)) {
-    const auto newline = text.rfind('\n', start);
-    const std::size_t line_begin = newline == std::string_view::npos ? 0 : newline + 1;
-    const Line l = LineReader(source, line_begin, end).next();
-    if (l.key == key) return l;
-  }
-  return std::nullopt;
-}
-
 /// What the first line NDIME= of a part of the file says; 0: it has none. Points may come before
 /// it, and cannot be read without.
 int stated_dimension(const Source& source, std::size_t begin, std::size_t end) {
-  const auto l = find_line(source, begin, end, "NDIME");
-  return !l ? 0 : l->value == "2" ? 2 : l->value == "3" ? 3 : 0;
+  const auto lines = lines_with(source, begin, end, "NDIME", 1);
+  return lines.empty() ? 0 : lines[0].value == "2" ? 2 : lines[0].value == "3" ? 3 : 0;
 }
 
 /// Elements in space are those of a surface if the first of them is. Markers, which may come before
 /// them, are lines then, and points may lie in a plane.
 bool has_surface_elements(const Source& source, const ZoneList::Zone& zone) {
-  const auto head = find_line(source, zone.begin, zone.end, "NELEM");
-  if (!head) return false;
-  LineReader lines(source, head->offset, zone.end);
+  const auto heads = lines_with(source, zone.begin, zone.end, "NELEM", 1);
+  if (heads.empty()) return false;
+  LineReader lines(source, heads[0].offset, zone.end);
   lines.next();
   while (!lines.at_end()) {
     const Line line = lines.next();

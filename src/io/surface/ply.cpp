@@ -146,13 +146,7 @@ class Reader {
 
   double number(const BinaryNumber& type, const Expected& expected) {
     if (encoding_ == Encoding::ascii) return scan_.number(expected);
-    if (scan_.bytes_left() < type.bytes) {
-      source_.fail(source_.text().size(), "the end of the file", "more data");
-    }
-    const std::size_t begin = scan_.offset();
-    scan_.seek(begin + type.bytes);
-    return number_at<double>(source_.text().data() + begin, type,
-                             encoding_ == Encoding::big_endian);
+    return scan_.bytes<double>(type, encoding_ == Encoding::big_endian, {"more data"});
   }
 
   Index whole_number(BinaryNumber type, const Expected& expected) {

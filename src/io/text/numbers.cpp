@@ -1,6 +1,5 @@
 #include "io/text/numbers.h"
 
-#include <array>
 #include <charconv>
 #include <limits>
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -82,6 +84,15 @@ class TextWriter {
     static_assert(std::is_trivially_copyable_v<Value>);
     buffer_.append(reinterpret_cast<const char*>(&value), sizeof value);
     drain();
+  }
+
+  /// The same in the order of bytes of a file.
+  template <class Number>
+  void raw(Number value, bool big_endian) {
+    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+    if (big_endian == (std::endian::native == std::endian::little))
+      std::reverse(bytes.begin(), bytes.end());
+    raw(bytes);
   }
 
   void flush() {

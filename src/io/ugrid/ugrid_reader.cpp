@@ -22,18 +22,17 @@ class Numbers {
   std::size_t bytes_left() const { return scan_.bytes_left(); }
 
   std::int64_t integer(const Expected& expected) {
-    if (encoding_.binary) return static_cast<std::int32_t>(read_bytes<std::uint32_t>(expected));
+    if (encoding_.binary)
+      return scan_.bytes<std::int64_t>({false, true, 4}, encoding_.big_endian, expected);
     scan_.skip_space();
     return scan_.integer(expected);
   }
   double real(const Expected& expected) {
-    if (!encoding_.binary) {
-      scan_.skip_space();
-      return scan_.number(expected);
-    }
-    if (encoding_.single)
-      return static_cast<double>(std::bit_cast<float>(read_bytes<std::uint32_t>(expected)));
-    return std::bit_cast<double>(read_bytes<std::uint64_t>(expected));
+    if (encoding_.binary)
+      return scan_.bytes<double>({true, true, encoding_.single ? std::size_t{4} : 8},
+                                 encoding_.big_endian, expected);
+    scan_.skip_space();
+    return scan_.number(expected);
   }
   /// A count of things of so many numbers each: no more than the rest of the file can hold.
   std::int64_t count(const Expected& expected, std::size_t numbers_each) {
@@ -44,18 +43,6 @@ class Numbers {
   }
 
  private:
-  template <class Value>
-  Value read_bytes(const Expected& expected) {
-    if (scan_.bytes_left() < sizeof(Value))
-      source_.fail(source_.text().size(), "the end of the file", expected.text());
-    std::array<char, sizeof(Value)> bytes;
-    std::memcpy(bytes.data(), source_.text().data() + scan_.offset(), sizeof(Value));
-    if (encoding_.big_endian == (std::endian::native == std::endian::little))
-      std::reverse(bytes.begin(), bytes.end());
-    scan_.seek(scan_.offset() + sizeof(Value));
-    return std::bit_cast<Value>(bytes);
-  }
-
   const Source& source_;
   Scanner scan_;
   Encoding encoding_;

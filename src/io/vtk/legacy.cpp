@@ -139,9 +139,7 @@ class LegacyArrays {
     for (std::size_t i = 0; i < n; ++i) {
       if (binary_) {
         if (places != nullptr) places->push_back(scan_.offset());
-        const char* bytes = scan_.source().text().data() + scan_.offset();
-        values.push_back(number_at<Number>(bytes, kind, true));
-        scan_.seek(scan_.offset() + type.bytes);
+        values.push_back(scan_.bytes<Number>(kind, true, expected));
         continue;
       }
       const auto word = scan_.next_word();
@@ -489,15 +487,11 @@ class ArrayWriter {
 
   template <class Number>
   void put(Number value, char separator) {
-    if (!binary_) {
+    if (binary_) {
+      out_.raw(value, true);
+    } else {
       out_ << value << separator;
-      return;
     }
-    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    if constexpr (std::endian::native == std::endian::little) {
-      std::reverse(bytes.begin(), bytes.end());
-    }
-    out_.raw(bytes);
   }
   void end() {
     if (binary_) out_ << '\n';

@@ -2,8 +2,6 @@
 
 #include <zlib.h>
 
-#include <algorithm>
-#include <array>
 #include <cstring>
 
 #include "io/text/numbers.h"
