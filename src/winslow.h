@@ -28,8 +28,6 @@
 #if __has_include(<nlohmann/json_fwd.hpp>)
 #include "io/recipe/recipe.h"
 #endif
-#include "io/tables/boundary_file.h"
-#include "io/tables/convergence_csv.h"
-#include "io/tables/displacement_file.h"
 #include "io/tables/slide_files.h"
+#include "io/tables/table_files.h"
 #endif

@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <exception>
@@ -10,7 +9,7 @@
 #include <malloc.h>
 #endif
 
-#include "app/options/suggestion.h"
+#include "app/options/flags.h"
 #include "app/output/terminal.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"

@@ -6,7 +6,7 @@
 #include "io/su2/su2.h"
 #include "io/surface/surface.h"
 #include "io/ugrid/ugrid.h"
-#include "io/vtk/vtk_formats.h"
+#include "io/vtk/grid.h"
 
 namespace winslow::io {
 

@@ -4,8 +4,6 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "app/job/progress.h"
-#include "app/job/zone_runs.h"
 #include "app/output/report.h"
 #include "app/output/tables.h"
 #include "app/output/terminal.h"
@@ -15,8 +13,8 @@
 #include "core/strategy/run.h"
 #include "core/strategy/surface_shape.h"
 #include "io/recipe/recipe.h"
-#include "io/tables/convergence_csv.h"
 #include "io/tables/slide_files.h"
+#include "io/tables/table_files.h"
 
 namespace winslow::app {
 namespace {

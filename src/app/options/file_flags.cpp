@@ -1,10 +1,9 @@
-#include "app/options/file_flags.h"
+#include "app/options/flags.h"
 
 #include <unistd.h>
 
 #include <set>
 
-#include "app/options/suggestion.h"
 #include "core/error.h"
 #include "io/format/mesh_format.h"
 
@@ -19,41 +18,35 @@ void add_input(CLI::App& app, std::string& input) {
 }
 
 void add_zone_flag(CLI::App& app, int& zone, const std::string& without) {
-  app.add_option("--zone", zone,
-                 "Zone of a mesh file that has several, by its number (SU2: IZONE=; CGNS: in the "
-                 "order of names); without: " +
-                     without)
-      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
-      ->option_text("N");
+  FlagGroup(app)
+      .value_as("--zone", zone, "N",
+                "Zone of a mesh file that has several, by its number (SU2: IZONE=; CGNS: in the "
+                "order of names); without: " +
+                    without)
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
 }
 
 void add_job_flags(CLI::App& app, JobFiles& files) {
   add_zone_flag(app, files.zone, "all that have the markers named, all zones if none is named");
-  const char* group = "Output";
-  app.add_option("-o,--output", files.output, "Mesh to write; may be IN itself")
-      ->type_name("OUT")
-      ->group(group);
-  app.add_option("--report", files.report, "Write what was done, and the quality, as JSON")
-      ->type_name("FILE.json")
-      ->group(group);
-  app.add_option("--history", files.history, "Write a line for every outer iteration as CSV")
-      ->type_name("FILE.csv")
-      ->group(group);
-  app.add_flag("--allow-inverted", files.allow_inverted,
-               "Write OUT even if elements are inverted (the exit status is still 4)")
-      ->group(group);
-  app.add_flag("--accept-partial", files.accept_partial,
-               "Write the last valid mesh of a motion that could not be completed (the exit status "
-               "is still 4)")
-      ->group(group);
+  FlagGroup group(app, "Output");
+  group.value("-o,--output", files.output, "OUT", "Mesh to write; may be IN itself");
+  group.value("--report", files.report, "FILE.json",
+              "Write what was done, and the quality, as JSON");
+  group.value("--history", files.history, "FILE.csv",
+              "Write a line for every outer iteration as CSV");
+  group.on("--allow-inverted", files.allow_inverted,
+           "Write OUT even if elements are inverted (the exit status is still 4)");
+  group.on("--accept-partial", files.accept_partial,
+           "Write the last valid mesh of a motion that could not be completed (the exit status "
+           "is still 4)");
   add_encoding_flags(app, files.encoding);
   add_quiet_flag(app, files.quiet);
 }
 
 void add_recipe_flag(CLI::App& app, JobFiles& files) {
-  app.add_option("--save-recipe", files.save_recipe, "Write this run as a recipe for replay")
-      ->type_name("FILE.json")
-      ->group("Output");
+  FlagGroup(app, "Output")
+      .value("--save-recipe", files.save_recipe, "FILE.json",
+             "Write this run as a recipe for replay");
 }
 
 void add_encoding_flags(CLI::App& app, io::WriteOptions& encoding) {
@@ -69,16 +62,15 @@ void add_encoding_flags(CLI::App& app, io::WriteOptions& encoding) {
          "--ascii", [set] { set(false); }, "Write text, whatever the source was")
       ->excludes(binary)
       ->group("Output");
-  app.add_option("--gmsh-version", encoding.gmsh_version,
-                 "Version of a Gmsh file; default: that of the source, else 4.1")
-      ->check(one_of({"2.2", "4.1"}))
-      ->option_text("2.2|4.1")
-      ->group("Output");
-  app.add_option("--cgns-container", encoding.cgns_container,
-                 "What holds a CGNS file; default: that of the source, else hdf5")
-      ->check(one_of({"hdf5", "adf"}))
-      ->option_text("hdf5|adf")
-      ->group("Output");
+  FlagGroup group(app, "Output");
+  group
+      .value_as("--gmsh-version", encoding.gmsh_version, "2.2|4.1",
+                "Version of a Gmsh file; default: that of the source, else 4.1")
+      ->check(one_of({"2.2", "4.1"}));
+  group
+      .value_as("--cgns-container", encoding.cgns_container, "hdf5|adf",
+                "What holds a CGNS file; default: that of the source, else hdf5")
+      ->check(one_of({"hdf5", "adf"}));
 }
 
 void add_quiet_flag(CLI::App& app, bool& quiet) {

@@ -1,10 +1,9 @@
-#include "app/options/layer_flags.h"
+#include "app/options/flags.h"
 
 #include <charconv>
 #include <cstdlib>
 #include <system_error>
 
-#include "app/options/option_flags.h"
 #include "core/error.h"
 #include "core/layers/layer_plan.h"
 
@@ -58,42 +57,35 @@ int whole(double value, const std::string& where, const std::string& key) {
   return static_cast<int>(value);
 }
 
-/// The keys of a table's numbers: "count, first, ratio".
-std::string number_keys(const OptionTable& table) {
-  std::string keys;
-  for (const Option& option : table) {
-    if (std::holds_alternative<SwitchOption>(option.value)) continue;
-    keys += (keys.empty() ? "" : ", ") + std::string(option.key);
+/// Sets the number that an option is, of which `key` is the name; false: it is none.
+bool set_number(const OptionValue& option, double value, const std::string& where,
+                const std::string& key) {
+  if (const auto* real = std::get_if<RealOption>(&option)) {
+    *real->value = value;
+  } else if (const auto* optional = std::get_if<OptionalRealOption>(&option)) {
+    *optional->value = value;
+  } else if (const auto* integer = std::get_if<IntegerOption>(&option)) {
+    *integer->value = whole(value, where, key);
+  } else {
+    return false;
   }
-  return keys;
+  return true;
 }
 
-/// Sets the number with that key. Returns false if the table has none.
-bool set_number(const OptionTable& table, const std::string& key, double value,
-                const std::string& where) {
-  for (const Option& option : table) {
-    if (option.key != key) continue;
-    if (const auto* real = std::get_if<RealOption>(&option.value)) {
-      *real->value = value;
-    } else if (const auto* optional = std::get_if<OptionalRealOption>(&option.value)) {
-      *optional->value = value;
-    } else if (const auto* integer = std::get_if<IntegerOption>(&option.value)) {
-      *integer->value = whole(value, where, key);
-    } else {
-      return false;
-    }
-    return true;
-  }
-  return false;
+/// The keys of a table's numbers: "count, first, ratio".
+std::string number_keys(LayerSpacing spacing) {
+  std::vector<std::string> keys;
+  for (const Option& option : option_table(spacing))
+    if (set_number(option.value, 0, {}, {})) keys.emplace_back(option.key);
+  return join(keys);
 }
 
 }  // namespace
 
 void add_hold_layers_flag(CLI::App& app, std::vector<std::string>& markers) {
-  app.add_option("--hold-layers", markers,
-                 "Wall whose layers, as the mesh has them, keep their heights; may be given "
-                 "several times")
-      ->type_name("NAME");
+  FlagGroup(app).value("--hold-layers", markers, "NAME",
+                       "Wall whose layers, as the mesh has them, keep their heights; may be given "
+                       "several times");
 }
 
 std::vector<Command> holding_layers(const std::vector<std::string>& markers,
@@ -116,13 +108,15 @@ LayerWall parse_wall(const std::string& text, const LayerSpacing& common) {
   if (colon == std::string::npos) return wall;
   const std::string where = "--wall " + text;
   read_settings(text.substr(colon + 1), where,
-                number_keys(option_table(wall.spacing)) + ", xmin, xmax, ymin, ymax",
+                number_keys(wall.spacing) + ", xmin, xmax, ymin, ymax",
                 [&](const std::string& key, double value) {
                   if (double* bound = bound_named(key, wall.part)) {
                     *bound = value;
                     return true;
                   }
-                  return set_number(option_table(wall.spacing), key, value, where);
+                  const OptionTable table = option_table(wall.spacing);
+                  const auto named = std::ranges::find(table, key, &Option::key);
+                  return named != table.end() && set_number(named->value, value, where, key);
                 });
   return wall;
 }
@@ -152,44 +146,32 @@ ColumnOverride parse_column(const std::string& text) {
 }
 
 void LayerFlags::declare(CLI::App& app) {
-  app.add_option("--marker", markers_, "Wall to insert layers at; may be given several times")
-      ->type_name("NAME")
-      ->group("Layers");
-  app.add_option(
-         "--wall", walls_,
-         "Wall with settings of its own, e.g. flap:count=20,first=2e-5 (keys: " +
-             number_keys(option_table(spacing_)) +
-             "; xmin, xmax, ymin, ymax: the part of the markers that is to have layers); may be "
-             "given several times")
-      ->type_name("NAME[,NAME]:KEY=NUMBER,...")
-      ->group("Layers");
-  app.add_option("--column", columns_,
-                 "What one wall node is to have instead of what the rules choose, e.g. "
-                 "17:columns=1,thickness=0.01 (columns: 1 is no fan; thickness: 0 is no layers); "
-                 "may be given several times")
-      ->type_name("NODE:KEY=NUMBER,...")
-      ->group("Layers");
+  FlagGroup group(app, "Layers");
+  group.value("--marker", markers_, "NAME", "Wall to insert layers at; may be given several times");
+  group.value(
+      "--wall", walls_, "NAME[,NAME]:KEY=NUMBER,...",
+      "Wall with settings of its own, e.g. flap:count=20,first=2e-5 (keys: " +
+          number_keys(spacing_) +
+          "; xmin, xmax, ymin, ymax: the part of the markers that is to have layers); may be "
+          "given several times");
+  group.value("--column", columns_, "NODE:KEY=NUMBER,...",
+              "What one wall node is to have instead of what the rules choose, e.g. "
+              "17:columns=1,thickness=0.01 (columns: 1 is no fan; thickness: 0 is no layers); "
+              "may be given several times");
   add_option_flags(app, option_table(spacing_), "Layers");
   app.get_option("--match-outside")->excludes(app.get_option("--total"));
-  declare_first_height(app);
-}
-
-void LayerFlags::declare_first_height(CLI::App& app) {
-  CLI::Option* reynolds = app.add_option("--reynolds", reynolds_,
-                                         "Reynolds number of the reference length, for --y-plus")
-                              ->option_text("RE")
-                              ->group("Layers");
-  app.add_option("--y-plus", y_plus_,
-                 "Wanted y+ of the first node: gives --first by the turbulent friction of a flat "
-                 "plate (White, Fluid Mechanics: 0.026 / Re^(1/7))")
-      ->option_text("Y+")
+  CLI::Option* reynolds = group.value_as("--reynolds", reynolds_, "RE",
+                                         "Reynolds number of the reference length, for --y-plus");
+  group
+      .value_as("--y-plus", y_plus_, "Y+",
+                "Wanted y+ of the first node: gives --first by the turbulent friction of a flat "
+                "plate (White, Fluid Mechanics: 0.026 / Re^(1/7))")
       ->needs(reynolds)
-      ->excludes(app.get_option("--first"))
-      ->group("Layers");
-  app.add_option("--reference-length", length_, "Reference length (chord), units of the mesh")
-      ->option_text("LENGTH [1]")
-      ->needs(reynolds)
-      ->group("Layers");
+      ->excludes(app.get_option("--first"));
+  group
+      .value_as("--reference-length", length_, "LENGTH [1]",
+                "Reference length (chord), units of the mesh")
+      ->needs(reynolds);
 }
 
 void LayerFlags::finish(LayerOptions& options) const {

@@ -1,24 +1,91 @@
-#include "app/options/option_flags.h"
-
 #include <cctype>
 
-#include "app/options/suggestion.h"
+#include "app/options/flags.h"
 #include "core/command/option_tables.h"
 #include "core/error.h"
 
 namespace winslow::app {
 namespace {
 
-std::vector<std::string> names_of(const ChoiceOption& choice) {
-  std::vector<std::string> names;
-  for (const ChoiceItem& item : choice.items()) names.push_back(item.name);
-  return names;
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+constexpr const char* words_name = "words";  // of the validators that hold names
+constexpr std::string_view separator = ", ";
+
+/// Levenshtein distance, blind to case.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
 }
 
-std::string names_of(const SharesOption& shares) {
-  std::string names;
-  for (const auto& part : shares.parts)
-    names += (names.empty() ? "" : ", ") + std::string(part.name);
+}  // namespace
+
+std::string join(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += std::string(list.empty() ? "" : separator) + name;
+  return list;
+}
+
+std::string suggest(std::string_view unknown, const std::vector<std::string>& known) {
+  const std::string* nearest = nullptr;
+  // Half of a word may be wrong before a suggestion does more harm than good.
+  std::size_t best = unknown.size() / 2 + 1;
+  for (const std::string& name : known) {
+    const std::size_t d = distance(unknown, name);
+    if (d < best) {
+      best = d;
+      nearest = &name;
+    }
+  }
+  return nearest ? "; did you mean " + *nearest + "?" : "";
+}
+
+CLI::Validator one_of(std::vector<std::string> names) {
+  const std::string list = join(names);
+  return CLI::Validator(
+      [names = std::move(names), list](std::string& value) {
+        if (std::find(names.begin(), names.end(), value) != names.end()) return std::string();
+        return "found \"" + value + "\", expected one of " + list + suggest(value, names);
+      },
+      "{" + list + "}", words_name);
+}
+
+CLI::Validator words_to_offer(const std::vector<std::string>& words) {
+  return CLI::Validator([](std::string&) { return std::string(); }, "{" + join(words) + "}",
+                        words_name);
+}
+
+std::vector<std::string> words_of(CLI::Option& option) {
+  std::string list;
+  try {
+    list = option.get_validator(words_name)->get_description();
+  } catch (const CLI::OptionNotFound&) {
+    return {};
+  }
+  std::vector<std::string> words;
+  list = list.substr(1, list.size() - 2).append(separator);  // without its braces
+  for (std::size_t start = 0, end = 0; (end = list.find(separator, start)) != std::string::npos;
+       start = end + separator.size())
+    words.push_back(list.substr(start, end - start));
+  return words;
+}
+
+namespace {
+
+/// The names of what there is to choose from, or to have shares of.
+template <class Items>
+std::vector<std::string> names_of(const Items& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.emplace_back(item.name);
   return names;
 }
 
@@ -41,7 +108,7 @@ void set_shares(const SharesOption& shares, const std::string& flag,
     }
     if (!known) {
       throw UsageError(flag + ' ' + word + ": found \"" + name + "\", expected one of " +
-                       names_of(shares));
+                       join(names_of(shares.parts)));
     }
   }
 }
@@ -67,28 +134,41 @@ CLI::Option* add_value(CLI::App& app, const Option& option,
       ->option_text(flag_text(option));
 }
 
-CLI::Option* declare(CLI::App& app, const Option& option, const RealOption& real) {
-  return add_value<double>(app, option, [real](const double& x) { *real.value = x; });
+// How an option of each kind is declared, and what the help calls its value.
+
+/// A number or a text that is taken as it is.
+template <class Given, class Value>
+CLI::Option* add_plain(CLI::App& app, const Option& option, Value* value) {
+  return add_value<Given>(app, option, [value](const Given& given) { *value = given; });
 }
+
+CLI::Option* declare(CLI::App& app, const Option& option, const RealOption& real) {
+  return add_plain<double>(app, option, real.value);
+}
+std::string metavariable(const RealOption&) { return "NUMBER"; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const OptionalRealOption& real) {
-  return add_value<double>(app, option, [real](const double& x) { *real.value = x; });
+  return add_plain<double>(app, option, real.value);
 }
+std::string metavariable(const OptionalRealOption&) { return "NUMBER"; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const IntegerOption& integer) {
-  return add_value<int>(app, option, [integer](const int& n) { *integer.value = n; });
+  return add_plain<int>(app, option, integer.value);
 }
+std::string metavariable(const IntegerOption&) { return "N"; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const SeedOption& seed) {
-  return add_value<std::uint64_t>(app, option, [seed](const std::uint64_t& n) { *seed.value = n; })
+  return add_plain<std::uint64_t>(app, option, seed.value)
       ->check([](const std::string& text) {  // the conversion would wrap a negative number
         return text.starts_with("-") ? "found " + text + ", expected 0 or more" : std::string();
       });
 }
+std::string metavariable(const SeedOption&) { return "N"; }
 
 /// Two numbers or three.
 template <class Vector>
-CLI::Option* declare_vector(CLI::App& app, const Option& option, const Vector& vector) {
+requires std::is_same_v<Vector, VectorOption> || std::is_same_v<Vector, OptionalVectorOption>
+    CLI::Option* declare(CLI::App& app, const Option& option, const Vector& vector) {
   using Numbers = std::vector<double>;
   return add_value<Numbers>(
              app, option,
@@ -98,102 +178,80 @@ CLI::Option* declare_vector(CLI::App& app, const Option& option, const Vector& v
              })
       ->expected(2, 3);
 }
-
-CLI::Option* declare(CLI::App& app, const Option& option, const VectorOption& vector) {
-  return declare_vector(app, option, vector);
-}
-
-CLI::Option* declare(CLI::App& app, const Option& option, const OptionalVectorOption& vector) {
-  return declare_vector(app, option, vector);
-}
+std::string metavariable(const VectorOption&) { return "X Y [Z]"; }
+std::string metavariable(const OptionalVectorOption&) { return "X Y [Z]"; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const SpaceVectorOption& vector) {
   using Triple = std::array<double, 3>;
   return add_value<Triple>(app, option,
                            [vector](const Triple& v) { *vector.value = Vec3(v[0], v[1], v[2]); });
 }
+std::string metavariable(const SpaceVectorOption&) { return "X Y Z"; }
 
 /// The flag once for each name, or each pair.
 CLI::Option* declare(CLI::App& app, const Option& option, const NamesOption& names) {
-  if (names.pairs) {
-    using Pairs = std::vector<std::pair<std::string, std::string>>;
-    return add_value<Pairs>(app, option,
-                            [names](const Pairs& given) {
-                              names.value->clear();
-                              for (const auto& [first, second] : given)
-                                names.value->insert(names.value->end(), {first, second});
-                            })
-        ->allow_extra_args(false);
-  }
   using Names = std::vector<std::string>;
-  return add_value<Names>(app, option, [names](const Names& given) { *names.value = given; })
+  using Pairs = std::vector<std::pair<std::string, std::string>>;
+  if (!names.pairs) return add_plain<Names>(app, option, names.value)->allow_extra_args(false);
+  return add_value<Pairs>(app, option,
+                          [names](const Pairs& given) {
+                            names.value->clear();
+                            for (const auto& [first, second] : given)
+                              names.value->insert(names.value->end(), {first, second});
+                          })
       ->allow_extra_args(false);
 }
+std::string metavariable(const NamesOption& names) { return names.pairs ? "NAME NAME" : "NAME"; }
 
 /// The flag once for each node.
 CLI::Option* declare(CLI::App& app, const Option& option, const NodesOption& nodes) {
-  using Numbers = std::vector<Index>;
-  return add_value<Numbers>(app, option, [nodes](const Numbers& given) { *nodes.value = given; })
-      ->allow_extra_args(false);
+  return add_plain<std::vector<Index>>(app, option, nodes.value)->allow_extra_args(false);
 }
+std::string metavariable(const NodesOption&) { return "ID"; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const FileOption& file) {
-  return add_value<std::string>(app, option,
-                                [file](const std::string& name) { *file.value = name; });
+  return add_plain<std::string>(app, option, file.value);
 }
+std::string metavariable(const FileOption&) { return "FILE"; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const SwitchOption& on) {
   const bool value = on.off_flag.empty();
   return app.add_flag_callback(
       flag_of(option), [on, value] { *on.value = value; }, flag_help(option));
 }
+std::string metavariable(const SwitchOption&) { return {}; }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const ChoiceOption& choice) {
   return add_value<std::string>(app, option,
                                 [choice](const std::string& name) { choice.choose(name); })
-      ->check(one_of(names_of(choice)));
+      ->check(one_of(names_of(choice.items())));
+}
+std::string metavariable(const ChoiceOption& choice) {
+  constexpr std::size_t few = 4;
+  return choice.items().size() <= few ? choice.names("|") : "NAME";
 }
 
 CLI::Option* declare(CLI::App& app, const Option& option, const SharesOption& shares) {
   using Words = std::vector<std::string>;
   const std::string flag = flag_of(option);
-  Words names;
-  for (const auto& part : shares.parts) names.emplace_back(part.name);
   return add_value<Words>(app, option,
                           [shares, flag](const Words& words) { set_shares(shares, flag, words); })
-      ->check(words_to_offer(names));
+      ->check(words_to_offer(names_of(shares.parts)));
 }
+std::string metavariable(const SharesOption&) { return "NAME[=SHARE]..."; }
 
 template <class Item>
 std::string item_help(const Item& item) {
   return item.help.empty() ? "" : "\n  " + std::string(item.name) + ": " + std::string(item.help);
 }
 
-std::string metavariable(const Option& option) {
-  if (std::holds_alternative<VectorOption>(option.value) ||
-      std::holds_alternative<OptionalVectorOption>(option.value))
-    return "X Y [Z]";
-  if (std::holds_alternative<SpaceVectorOption>(option.value)) return "X Y Z";
-  if (const auto* names = std::get_if<NamesOption>(&option.value))
-    return names->pairs ? "NAME NAME" : "NAME";
-  if (std::holds_alternative<NodesOption>(option.value)) return "ID";
-  if (std::holds_alternative<FileOption>(option.value)) return "FILE";
-  if (std::holds_alternative<SharesOption>(option.value)) return "NAME[=SHARE]...";
-  if (const auto* choice = std::get_if<ChoiceOption>(&option.value)) {
-    constexpr std::size_t few = 4;
-    return choice->items().size() <= few ? choice->names("|") : "NAME";
-  }
-  const bool whole = std::holds_alternative<IntegerOption>(option.value) ||
-                     std::holds_alternative<SeedOption>(option.value);
-  return whole ? "N" : "NUMBER";
-}
-
 }  // namespace
 
 std::string flag_text(const Option& option) {
-  if (std::holds_alternative<SwitchOption>(option.value)) return "";
-  const std::string value = value_text(option);
-  return metavariable(option) + (value.empty() ? "" : " [" + value + "]");
+  const std::string word =
+      std::visit([](const auto& of) { return metavariable(of); }, option.value);
+  const std::string value = word.empty() ? "" : value_text(option);
+  return word + (value.empty() ? "" : " [" + value + "]");
 }
 
 std::string flag_help(const Option& option) {
@@ -224,10 +282,9 @@ void add_option_flags(CLI::App& app, const OptionTable& table, const std::string
 namespace {
 
 std::string limited_names() {
-  std::string names;
-  for (const Metric metric : limited_metrics())
-    names += (names.empty() ? "" : ", ") + std::string(metric_name(metric));
-  return names;
+  std::vector<std::string> names;
+  for (const Metric metric : limited_metrics()) names.emplace_back(metric_name(metric));
+  return join(names);
 }
 
 /// Of elements of either dimension: which the mesh has is not known yet.

@@ -1,4 +1,4 @@
-#include "app/output/completion.h"
+#include "app/output/reference.h"
 
 #include <algorithm>
 #include <array>
@@ -17,8 +17,9 @@ std::string joined(const std::vector<std::string>& words, std::string_view separ
 }
 
 std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-    text.replace(at, what.size(), by);
+  for (std::size_t start = 0; (start = text.find(what, start)) != std::string::npos;
+       start += by.size())
+    text.replace(start, what.size(), by);
   return text;
 }
 
@@ -222,9 +223,10 @@ void print_fish(std::ostream& out, const ProgramOptions& program) {
     for (const ProgramOption& option : command.options) {
       if (option.positional) continue;
       const std::string text = fish_option(option);
-      auto at = std::ranges::find_if(lines, [&](const auto& line) { return line.first == text; });
-      if (at == lines.end()) at = lines.insert(at, {text, {}});
-      at->second.push_back(command.name);
+      auto entry =
+          std::ranges::find_if(lines, [&](const auto& line) { return line.first == text; });
+      if (entry == lines.end()) entry = lines.insert(entry, {text, {}});
+      entry->second.push_back(command.name);
     }
   }
   for (const auto& [text, commands] : lines)

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "app/options/flags.h"
 #include "app/output/terminal.h"
 #include "core/command/option_tables.h"
 #include "core/error.h"
@@ -13,6 +14,79 @@
 #include "io/format/mesh_format.h"
 
 namespace winslow::app {
+namespace {
+
+/// "N [500]" is N.
+std::string_view without_default(std::string_view value) {
+  return value.substr(0, value.find(' '));
+}
+
+bool names_a_file(std::string_view value) {
+  constexpr std::array<std::string_view, 7> kinds{"IN",   "OUT", "MESH",  "PIC",
+                                                  "FILE", "DIR", "RECIPE"};
+  const std::string_view name = value.substr(0, value.find('.'));
+  return std::ranges::find(kinds, name) != kinds.end();
+}
+
+ValueKind kind_of(const ProgramOption& option) {
+  if (option.most_values == 0) return ValueKind::none;
+  if (!option.words.empty()) return ValueKind::words;
+  const std::string_view value =
+      without_default(option.positional ? option.names.front() : option.value);
+  if (names_a_file(value)) return ValueKind::file;
+  return value == "NAME" ? ValueKind::marker : ValueKind::other;
+}
+
+/// As many as a shell needs to count.
+int most_values(const CLI::Option& option) {
+  constexpr int many = 99;
+  if (option.get_items_expected_max() == 0) return 0;
+  const bool several = option.get_allow_extra_args() && option.get_expected_max() > 1;
+  return several ? many : std::min(option.get_type_size_max(), many);
+}
+
+ProgramOption option_of(CLI::Option& option) {
+  ProgramOption out;
+  out.positional = !option.nonpositional();
+  if (out.positional) {
+    out.names.push_back(option.get_name(true));
+  } else {
+    for (const std::string& name : option.get_snames()) out.names.push_back('-' + name);
+    for (const std::string& name : option.get_lnames()) out.names.push_back("--" + name);
+  }
+  out.most_values = most_values(option);
+  out.repeatable = option.get_expected_max() > 1;
+  if (out.most_values > 0 && !out.positional) {
+    out.value =
+        option.get_option_text().empty() ? option.get_type_name() : option.get_option_text();
+    out.value = out.value.substr(0, out.value.find(':'));  // what checks say of themselves
+  }
+  out.help = option.get_description();
+  out.group = option.get_group();
+  out.words = words_of(option);
+  out.kind = kind_of(out);
+  return out;
+}
+
+std::vector<ProgramOption> options_of(CLI::App& app) {
+  std::vector<ProgramOption> options;
+  for (CLI::Option* option : app.get_options()) options.push_back(option_of(*option));
+  std::stable_partition(options.begin(), options.end(),
+                        [](const ProgramOption& o) { return o.positional; });
+  return options;
+}
+
+}  // namespace
+
+ProgramOptions program_options(CLI::App& program) {
+  ProgramOptions out{program.get_name(), program.get_description(), options_of(program), {}};
+  for (CLI::App* command : program.get_subcommands(std::function<bool(CLI::App*)>())) {
+    if (command->get_group().empty()) continue;
+    out.commands.push_back({command->get_name(), command->get_description(), options_of(*command)});
+  }
+  return out;
+}
+
 namespace {
 
 /// Text that roff prints as it is: no escapes, no requests at the beginning of a line, and minus
@@ -71,9 +145,10 @@ using Groups = std::vector<std::pair<std::string, std::vector<const ProgramOptio
 Groups groups_of(const ProgramCommand& command) {
   Groups groups;
   for (const ProgramOption& option : command.options) {
-    auto at = std::ranges::find_if(groups, [&](const auto& g) { return g.first == option.group; });
-    if (at == groups.end()) at = groups.insert(at, {option.group, {}});
-    at->second.push_back(&option);
+    auto entry =
+        std::ranges::find_if(groups, [&](const auto& g) { return g.first == option.group; });
+    if (entry == groups.end()) entry = groups.insert(entry, {option.group, {}});
+    entry->second.push_back(&option);
   }
   return groups;
 }

@@ -1,9 +1,7 @@
 #include "app/output/tables.h"
 
-#include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <utility>
 
 #include "app/output/terminal.h"
 #include "core/layers/layer_measures.h"

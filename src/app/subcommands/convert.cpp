@@ -1,8 +1,7 @@
 #include <iostream>
 
-#include "app/job/progress.h"
-#include "app/job/zone_runs.h"
-#include "app/options/file_flags.h"
+#include "app/job/edit_job.h"
+#include "app/options/flags.h"
 #include "app/output/terminal.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
@@ -20,10 +19,8 @@ class ConvertSubcommand : public Subcommand {
     add_input(app(), input_);
     add_zone_flag(app(), zone_, "all zones, where OUT can hold them");
     app().add_option("OUT", output_, "Mesh to write; its extension says the format")->type_name("");
-    app()
-        .add_option("-o,--output", output_flag_, "The same as OUT, as other commands take it")
-        ->type_name("OUT")
-        ->group("Output");
+    FlagGroup(app(), "Output")
+        .value("-o,--output", output_flag_, "OUT", "The same as OUT, as other commands take it");
     add_encoding_flags(app(), encoding_);
     add_quiet_flag(app(), quiet_);
   }

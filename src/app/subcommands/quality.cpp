@@ -1,8 +1,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/job/zone_runs.h"
-#include "app/options/file_flags.h"
+#include "app/job/edit_job.h"
+#include "app/options/flags.h"
 #include "app/output/report.h"
 #include "app/output/tables.h"
 #include "app/output/terminal.h"
@@ -23,20 +23,15 @@ class QualitySubcommand : public Subcommand {
             "inverted")) {
     add_input(app(), input_);
     add_zone_flag(app(), zone_, "every zone is reported");
-    app()
-        .add_option("--worst", options_.worst, "How many of the worst elements to list")
-        ->check(CLI::Range(0, 1000000))
-        ->option_text("N [10]");
-    app().add_flag("--histogram", histogram_, "Print histograms too");
-    app()
-        .add_option("--bins", options_.histogram_bins, "Bins of a histogram")
-        ->check(CLI::Range(1, 1000))
-        ->option_text("N [20]");
-    app()
-        .add_option("--threads", options_.threads, "Threads; 0 for all cores")
-        ->check(CLI::Range(0, 4096))
-        ->option_text("N [0]");
-    app().add_option("--report", report_, "Write the same as JSON")->type_name("FILE.json");
+    FlagGroup group(app());
+    group.value_as("--worst", options_.worst, "N [10]", "How many of the worst elements to list")
+        ->check(CLI::Range(0, 1000000));
+    group.on("--histogram", histogram_, "Print histograms too");
+    group.value_as("--bins", options_.histogram_bins, "N [20]", "Bins of a histogram")
+        ->check(CLI::Range(1, 1000));
+    group.value_as("--threads", options_.threads, "N [0]", "Threads; 0 for all cores")
+        ->check(CLI::Range(0, 4096));
+    group.value("--report", report_, "FILE.json", "Write the same as JSON");
     add_quiet_flag(app(), quiet_);
   }
 

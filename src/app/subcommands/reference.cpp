@@ -1,11 +1,9 @@
 #include "app/output/reference.h"
 
-#include <algorithm>
 #include <iostream>
 #include <iterator>
 
-#include "app/options/suggestion.h"
-#include "app/output/completion.h"
+#include "app/options/flags.h"
 #include "app/subcommands/subcommand.h"
 
 namespace winslow::app {

@@ -1,9 +1,7 @@
 #include <iostream>
 
-#include "app/job/markers.h"
-#include "app/job/progress.h"
-#include "app/options/file_flags.h"
-#include "app/options/suggestion.h"
+#include "app/job/edit_job.h"
+#include "app/options/flags.h"
 #include "app/output/terminal.h"
 #include "app/subcommands/render_flags.h"
 #include "app/subcommands/subcommand.h"
@@ -20,8 +18,6 @@ namespace winslow::app {
 namespace {
 
 constexpr int largest_picture = 16384;
-
-std::vector<std::string> color_maps() { return gui::color_map_choices(); }
 
 bool has_color(const RenderFlags& flags) { return !flags.color.empty() && flags.color != no_color; }
 
@@ -43,14 +39,8 @@ gui::PictureOptions picture_options(const RenderFlags& flags) {
   return options;
 }
 
-void check_picture(const std::string& path) {
-  if (!path.empty()) gui::check_picture_name(path);
-}
-bool is_vector_format(const std::string& path) { return gui::is_vector_format(path); }
-bool is_film(const std::string& path) { return gui::film_format(path).has_value(); }
-
 void draw(const RenderFlags& flags, const Mesh& mesh) {
-  if (is_vector_format(flags.output))
+  if (gui::is_vector_format(flags.output))
     gui::write_figure(flags.output, gui::picture_figure(mesh, picture_options(flags)));
   else
     gui::write_png(flags.output, gui::draw_picture(mesh, picture_options(flags)));
@@ -105,26 +95,19 @@ class RenderSubcommand : public Subcommand {
                                           "display, inverted elements are red")) {
     add_input(app(), flags_.input);
     add_zone_flag(app(), flags_.zone, "the first");
-    app()
-        .add_option("-o,--output", flags_.output, "Picture to write: .png, .svg or .pdf")
-        ->type_name("PIC");
-    app()
-        .add_option("--size", flags_.size, "Width and height in pixels [1200 900]")
-        ->type_name("W H");
-    app()
-        .add_option_function<std::array<double, 4>>(
-            "--bounds", [this](const std::array<double, 4>& b) { flags_.bounds = b; },
-            "Part of the plane to show whole [all of the mesh]")
-        ->type_name("X0 Y0 X1 Y1");
-    app()
-        .add_option("--vcv", flags_.vcvs,
-                    "Draw the virtual control volumes of these nodes over the mesh")
+    FlagGroup group(app());
+    group.value("-o,--output", flags_.output, "PIC", "Picture to write: .png, .svg or .pdf");
+    group.value("--size", flags_.size, "W H", "Width and height in pixels [1200 900]");
+    group.value("--bounds", flags_.bounds, "X0 Y0 X1 Y1",
+                "Part of the plane to show whole [all of the mesh]");
+    group
+        .value("--vcv", flags_.vcvs, "NODE,...",
+               "Draw the virtual control volumes of these nodes over the mesh")
         ->delimiter(',')
-        ->allow_extra_args(false)  // what follows is the mesh
-        ->type_name("NODE,...");
-    app().add_option("--title", flags_.title, "Line above the picture")->type_name("TEXT");
-    app().add_flag("--dark", flags_.dark, "Dark background");
-    app().add_flag("--no-wireframe", flags_.no_wireframe, "Leave the edges of elements out");
+        ->allow_extra_args(false);  // what follows is the mesh
+    group.value("--title", flags_.title, "TEXT", "Line above the picture");
+    group.on("--dark", flags_.dark, "Dark background");
+    group.on("--no-wireframe", flags_.no_wireframe, "Leave the edges of elements out");
     add_color_flags();
     add_volume_flags(app(), flags_.volume);
     add_frame_flags();
@@ -164,45 +147,26 @@ class RenderSubcommand : public Subcommand {
   }
 
   void add_frame_flags() {
-    const char* group = "Motion";
-    app()
-        .add_option("--before", flags_.before,
-                    "The mesh before, drawn on the left of IN; of the same nodes and elements")
-        ->type_name("MESH")
-        ->group(group);
-    auto* recipe =
-        app()
-            .add_option("--recipe", flags_.recipe, "Commands to carry out on IN, for --frames")
-            ->type_name("FILE.json")
-            ->group(group);
-    auto* frames =
-        app()
-            .add_option("--frames", flags_.frames,
-                        "Draw the meshes on the recipe's way, of a body that turns one for every "
-                        "degree, or a turn of the view: PNG files into a folder, or a film .mp4 or "
-                        ".gif (by ffmpeg)")
-            ->type_name("DIR")
-            ->group(group);
+    FlagGroup group(app(), "Motion");
+    group.value("--before", flags_.before, "MESH",
+                "The mesh before, drawn on the left of IN; of the same nodes and elements");
+    auto* recipe = group.value("--recipe", flags_.recipe, "FILE.json",
+                               "Commands to carry out on IN, for --frames");
+    auto* frames = group.value(
+        "--frames", flags_.frames, "DIR",
+        "Draw the meshes on the recipe's way, of a body that turns one for every degree, or a turn "
+        "of the view: PNG files into a folder, or a film .mp4 or .gif (by ffmpeg)");
     recipe->needs(frames);
-    app()
-        .add_option("--turntable", flags_.turntable,
-                    "Draw so many frames while the view turns once around a mesh in space, for "
-                    "--frames")
+    group
+        .value("--turntable", flags_.turntable, "N",
+               "Draw so many frames while the view turns once around a mesh in space, for --frames")
         ->check(CLI::Range(2, 36000))
-        ->type_name("N")
         ->needs(frames)
-        ->excludes(recipe)
-        ->group(group);
-    app()
-        .add_option("--per-command", flags_.per_command, "Most frames of one command [all]")
-        ->check(CLI::Range(1, 10000))
-        ->type_name("N")
-        ->group(group);
-    app()
-        .add_option("--rate", flags_.rate, "Frames a second of a film [20]")
-        ->check(CLI::Range(1, 60))
-        ->type_name("N")
-        ->group(group);
+        ->excludes(recipe);
+    group.value("--per-command", flags_.per_command, "N", "Most frames of one command [all]")
+        ->check(CLI::Range(1, 10000));
+    group.value("--rate", flags_.rate, "N", "Frames a second of a film [20]")
+        ->check(CLI::Range(1, 60));
   }
 
   Mesh read_before(const Mesh& after) const {
@@ -238,42 +202,30 @@ class RenderSubcommand : public Subcommand {
       }
     }
     names.emplace_back(no_color);
-    const char* group = "Colour";
-    auto* color = app()
-                      .add_option("--color", flags_.color,
-                                  "Colour elements by one of " + join(names) +
-                                      " [in space: normalized_jacobian]")
-                      ->check(one_of(names))
-                      ->option_text("METRIC")
-                      ->group(group);
-    app()
-        .add_option_function<std::array<double, 2>>(
-            "--range", [this](const std::array<double, 2>& r) { flags_.range = r; },
-            "Values at the ends of the colours [automatic]")
-        ->type_name("LOW HIGH")
-        ->needs(color)
-        ->group(group);
-    app()
-        .add_option_function<std::array<double, 2>>(
-            "--percentiles", [this](const std::array<double, 2>& p) { flags_.percentiles = p; },
-            "Range of the colours as percentiles of the values, 1 99 for instance [automatic]")
-        ->type_name("LOW HIGH")
-        ->needs(color)
-        ->group(group);
-    app()
-        .add_option("--axis", flags_.axis,
-                    "Spread the colours over differences or ratios of values: automatic, which "
-                    "takes ratios where a mesh is stretched, linear, log")
+    FlagGroup group(app(), "Colour");
+    auto* color = group
+                      .value_as("--color", flags_.color, "METRIC",
+                                "Colour elements by one of " + join(names) +
+                                    " [in space: normalized_jacobian]")
+                      ->check(one_of(names));
+    group
+        .value("--range", flags_.range, "LOW HIGH", "Values at the ends of the colours [automatic]")
+        ->needs(color);
+    group
+        .value("--percentiles", flags_.percentiles, "LOW HIGH",
+               "Range of the colours as percentiles of the values, 1 99 for instance [automatic]")
+        ->needs(color);
+    group
+        .value_as("--axis", flags_.axis, "NAME [automatic]",
+                  "Spread the colours over differences or ratios of values: automatic, which takes "
+                  "ratios where a mesh is stretched, linear, log")
         ->check(one_of({"automatic", "linear", "log"}))
-        ->option_text("NAME [automatic]")
-        ->needs(color)
-        ->group(group);
-    app()
-        .add_option("--map", flags_.map, "Colours: " + join(color_maps()))
-        ->check(one_of(color_maps()))
-        ->option_text("NAME [" + flags_.map + "]")
-        ->group(group);
-    app().add_flag("--no-legend", flags_.no_legend, "Leave the colour bar out")->group(group);
+        ->needs(color);
+    group
+        .value_as("--map", flags_.map, "NAME [" + flags_.map + "]",
+                  "Colours: " + join(gui::color_map_choices()))
+        ->check(one_of(gui::color_map_choices()));
+    group.on("--no-legend", flags_.no_legend, "Leave the colour bar out");
   }
 
   void check_flags() const {
@@ -288,7 +240,7 @@ class RenderSubcommand : public Subcommand {
     if (!flags_.before.empty() && flags_.output.empty()) {
       throw UsageError("--before is for a picture: give one with -o PIC.png");
     }
-    if (!flags_.before.empty() && is_vector_format(flags_.output)) {
+    if (!flags_.before.empty() && gui::is_vector_format(flags_.output)) {
       throw UsageError(
           "--before draws two pictures into one PNG file; for vector graphics draw them "
           "one by one");
@@ -299,9 +251,9 @@ class RenderSubcommand : public Subcommand {
       throw UsageError("--color " + flags_.color +
                        " compares with an earlier mesh: give it with --before MESH");
     }
-    if (is_film(flags_.frames)) check_output(flags_.frames);
+    if (gui::film_format(flags_.frames)) check_output(flags_.frames);
     check_output(flags_.output);
-    check_picture(flags_.output);
+    if (!flags_.output.empty()) gui::check_picture_name(flags_.output);
     check_distinct({flags_.output, flags_.input});
     for (const int pixels : flags_.size) {
       if (pixels < 16 || pixels > largest_picture) {

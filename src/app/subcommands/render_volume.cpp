@@ -1,6 +1,6 @@
 #include <charconv>
 
-#include "app/options/suggestion.h"
+#include "app/options/flags.h"
 #include "app/subcommands/render_flags.h"
 #include "core/error.h"
 #include "core/inspect/element_field.h"
@@ -22,73 +22,48 @@ constexpr std::array volume_only{"--cut",  "--no-cut",      "--crinkle",  "--sho
 
 const std::vector<std::string> vcv_kinds{"equal", "existing", "adjusted"};
 
-std::vector<std::string> names_of_views() { return gui::view_names(); }
-
 void add_cut_flags(CLI::App& app, VolumeFlags& flags) {
-  const char* group = "Cuts (volume meshes)";
-  auto* cut = app.add_option("--cut", flags.cuts,
-                             "Cut by a plane through a point and take away what its normal points "
-                             "to; may be given several times [around bodies: through their middle]")
-                  ->allow_extra_args(false)  // what follows is the mesh
-                  ->type_name("PX PY PZ NX NY NZ")
-                  ->group(group);
-  auto* none = app.add_flag("--no-cut", flags.no_cut, "Cut nothing")->group(group);
+  FlagGroup group(app, "Cuts (volume meshes)");
+  auto* cut = group
+                  .value("--cut", flags.cuts, "PX PY PZ NX NY NZ",
+                         "Cut by a plane through a point and take away what its normal points to; "
+                         "may be given several times [around bodies: through their middle]")
+                  ->allow_extra_args(false);  // what follows is the mesh
+  auto* none = group.on("--no-cut", flags.no_cut, "Cut nothing");
   cut->excludes(none);
-  app.add_flag("--crinkle", flags.crinkle, "Cuts leave whole elements")
-      ->excludes(none)
-      ->group(group);
-  app.add_option("--isolate", flags.isolate,
-                 "Show whole the elements whose METRIC is worse than this value, without cuts")
-      ->type_name("VALUE")
-      ->excludes(cut)
-      ->group(group);
-  app.add_option("--peel", flags.peel,
-                 "Show whole the elements that lie so many layers deep below a marker, alone: "
-                 "wing:1:3 are the three layers at it, wing:4:6 the next three")
-      ->type_name("MARKER:FROM:TO")
-      ->group(group);
+  group.on("--crinkle", flags.crinkle, "Cuts leave whole elements")->excludes(none);
+  group
+      .value("--isolate", flags.isolate, "VALUE",
+             "Show whole the elements whose METRIC is worse than this value, without cuts")
+      ->excludes(cut);
+  group.value("--peel", flags.peel, "MARKER:FROM:TO",
+              "Show whole the elements that lie so many layers deep below a marker, alone: "
+              "wing:1:3 are the three layers at it, wing:4:6 the next three");
 }
 
 void add_view_flags(CLI::App& app, VolumeFlags& flags) {
-  const char* group = "View (meshes in space)";
-  app.add_option("--view", flags.view,
-                 "Seen from: " + join(names_of_views()) + " [onto the cuts, turned aside a little]")
-      ->check(one_of(names_of_views()))
-      ->option_text("NAME")
-      ->group(group);
-  app.add_option("--up", flags.up, "Axis that is up on screen")
-      ->check(one_of(axes))
-      ->option_text("x|y|z [z]")
-      ->group(group);
-  app.add_option("--azimuth", flags.azimuth,
-                 "Seen from this angle about that axis: with z up 0 from +x, 90 from +y, with y up "
-                 "from +z and +x [of --view]")
-      ->type_name("DEG")
-      ->group(group);
-  app.add_option("--elevation", flags.elevation,
-                 "Seen from this angle above the horizon, -90 to 90 [of --view]")
-      ->type_name("DEG")
-      ->group(group);
-  app.add_flag("--perspective", flags.perspective,
-               "In perspective; without, parallel lines stay so")
-      ->group(group);
-  app.add_option("--centre", flags.centre, "Point in the middle of the picture [all is shown]")
-      ->type_name("X Y Z")
-      ->group(group);
-  app.add_option("--half-width", flags.half_width,
-                 "Half of the width that is shown, in units of the mesh [all is shown]")
-      ->type_name("LENGTH")
-      ->group(group);
+  FlagGroup group(app, "View (meshes in space)");
+  group
+      .value_as("--view", flags.view, "NAME",
+                "Seen from: " + join(gui::view_names()) + " [onto the cuts, turned aside a little]")
+      ->check(one_of(gui::view_names()));
+  group.value_as("--up", flags.up, "x|y|z [z]", "Axis that is up on screen")->check(one_of(axes));
+  group.value("--azimuth", flags.azimuth, "DEG",
+              "Seen from this angle about that axis: with z up 0 from +x, 90 from +y, with y up "
+              "from +z and +x [of --view]");
+  group.value("--elevation", flags.elevation, "DEG",
+              "Seen from this angle above the horizon, -90 to 90 [of --view]");
+  group.on("--perspective", flags.perspective, "In perspective; without, parallel lines stay so");
+  group.value("--centre", flags.centre, "X Y Z",
+              "Point in the middle of the picture [all is shown]");
+  group.value("--half-width", flags.half_width, "LENGTH",
+              "Half of the width that is shown, in units of the mesh [all is shown]");
 }
 
 void add_marker_flags(CLI::App& app, VolumeFlags& flags) {
-  const char* group = "Boundary (volume meshes)";
+  FlagGroup group(app, "Boundary (volume meshes)");
   const auto names = [&](const char* name, std::vector<std::string>& to, const char* help) {
-    return app.add_option(name, to, help)
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("MARKER,...")
-        ->group(group);
+    group.value(name, to, "MARKER,...", help)->delimiter(',')->allow_extra_args(false);
   };
   names("--show", flags.show,
         "Draw these parts of the boundary as surfaces, and no others [bodies as surfaces, what is "
@@ -99,12 +74,11 @@ void add_marker_flags(CLI::App& app, VolumeFlags& flags) {
 }
 
 void add_vcv_flag(CLI::App& app, VolumeFlags& flags) {
-  app.add_option("--vcv-kind", flags.vcv_kind,
-                 "Solid angles of the control volumes that --vcv draws: all equal, those of the "
-                 "mesh, or the mean of both")
-      ->check(one_of(vcv_kinds))
-      ->option_text("equal|existing|adjusted [adjusted]")
-      ->group("Control volumes (volume meshes)");
+  FlagGroup(app, "Control volumes (volume meshes)")
+      .value_as("--vcv-kind", flags.vcv_kind, "equal|existing|adjusted [adjusted]",
+                "Solid angles of the control volumes that --vcv draws: all equal, those of the "
+                "mesh, or the mean of both")
+      ->check(one_of(vcv_kinds));
 }
 
 int axis_of(const std::string& name) { return name.front() - 'x'; }

@@ -1,8 +1,7 @@
 #include <iostream>
 
-#include "app/job/markers.h"
-#include "app/options/file_flags.h"
-#include "app/options/suggestion.h"
+#include "app/job/edit_job.h"
+#include "app/options/flags.h"
 #include "app/output/terminal.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
@@ -23,9 +22,7 @@ class StudioSubcommand : public Subcommand {
             "studio", "Open the window in which meshes are moved and repaired by hand")) {
     app().add_option("IN", input_, "Mesh to open")->type_name("");
     add_zone_flag(app(), zone_, "the first");
-    app()
-        .add_option("--size", size_, "Width and height of the window [1440 900]")
-        ->type_name("W H");
+    FlagGroup(app()).value("--size", size_, "W H", "Width and height of the window [1440 900]");
     add_quiet_flag(app(), quiet_);
     add_headless_flags();
   }
@@ -37,49 +34,24 @@ class StudioSubcommand : public Subcommand {
 
  private:
   void add_headless_flags() {
-    const char* group = "Without a display";
-    app()
-        .add_flag("--headless", headless_,
-                  "Open no window; needs --screenshot, --frames or --script")
-        ->group(group);
-    app()
-        .add_option("--screenshot", screenshot_,
-                    "Draw the window at the end: .png, or the mesh alone as .svg or .pdf")
-        ->type_name("OUT.png")
-        ->group(group);
-    app()
-        .add_option("--replay", recipe_, "Carry out a recipe first")
-        ->type_name("FILE.json")
-        ->group(group);
-    app()
-        .add_option(
-            "--frames", frames_,
-            "Draw every mesh on the recipe's way: PNG files into a folder, or a film .mp4 or "
-            ".gif (by ffmpeg)")
-        ->type_name("DIR")
-        ->group(group);
-    app()
-        .add_option("--rate", rate_, "Frames a second of a film [20]")
-        ->check(CLI::Range(1, 60))
-        ->type_name("N")
-        ->group(group);
-    app()
-        .add_option("--panels", panels_, "What pictures show: all of the window, or the mesh alone")
-        ->check(one_of({"all", "none"}))
-        ->option_text("all|none [all]")
-        ->group(group);
-    app()
-        .add_option("--scale", scale_, "Pictures at this many times the window's size [1]")
-        ->check(CLI::Range(0.1, 8.0))
-        ->type_name("K")
-        ->group(group);
-    app()
-        .add_flag("--transparent", transparent_, "No background; with --panels none")
-        ->group(group);
-    app()
-        .add_option("--script", script_, "Play a script of mouse and keys (see docs/studio.md)")
-        ->type_name("FILE")
-        ->group(group);
+    FlagGroup group(app(), "Without a display");
+    group.on("--headless", headless_, "Open no window; needs --screenshot, --frames or --script");
+    group.value("--screenshot", screenshot_, "OUT.png",
+                "Draw the window at the end: .png, or the mesh alone as .svg or .pdf");
+    group.value("--replay", recipe_, "FILE.json", "Carry out a recipe first");
+    group.value("--frames", frames_, "DIR",
+                "Draw every mesh on the recipe's way: PNG files into a folder, or a film .mp4 or "
+                ".gif (by ffmpeg)");
+    group.value("--rate", rate_, "N", "Frames a second of a film [20]")->check(CLI::Range(1, 60));
+    group
+        .value_as("--panels", panels_, "all|none [all]",
+                  "What pictures show: all of the window, or the mesh alone")
+        ->check(one_of({"all", "none"}));
+    group.value("--scale", scale_, "K", "Pictures at this many times the window's size [1]")
+        ->check(CLI::Range(0.1, 8.0));
+    group.on("--transparent", transparent_, "No background; with --panels none");
+    group.value("--script", script_, "FILE",
+                "Play a script of mouse and keys (see docs/studio.md)");
   }
 
   bool headless() const {

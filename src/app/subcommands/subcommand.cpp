@@ -1,36 +1,204 @@
 #include "app/subcommands/subcommand.h"
 
 #include "app/job/edit_job.h"
-#include "app/options/option_flags.h"
+#include "app/options/flags.h"
 #include "core/command/option_tables.h"
+#include "core/error.h"
+#include "core/motion/motion.h"
+#include "io/recipe/recipe.h"
+#include "io/tables/table_files.h"
 
 namespace winslow::app {
+namespace {
 
-/// The subcommand of a command that its table of options describes.
+/// The subcommand of a command that changes a mesh: a flag for each option of its table, and those
+/// that all such commands have.
 template <class EditCommand>
-class TableSubcommand : public Subcommand {
+class EditSubcommand : public Subcommand {
  public:
-  explicit TableSubcommand(CLI::App& program)
+  ExitCode run() override {
+    const std::string name(EditCommand::name);
+    if constexpr (requires { command_.how; })
+      return run_edit_job({name, files_, holding_layers(held_, command_.smooth, command_)});
+    else
+      return run_edit_job({name, files_, {command_}});
+  }
+
+ protected:
+  explicit EditSubcommand(CLI::App& program)
       : Subcommand(program.add_subcommand(std::string(EditCommand::name),
                                           std::string(EditCommand::summary))) {
     add_input(app(), files_.input);
-    if constexpr (requires { command_.markers; }) add_marker_flag(app(), command_.markers);
-    add_option_flags(app(), option_table(command_), "Options");
+  }
+
+  void add_table_flags(const char* heading) {
+    add_option_flags(app(), option_table(command_), heading);
+    if constexpr (requires { command_.how; }) {
+      add_direct_flag(app(), command_.how);
+      add_min_quality_flag(app(), command_.how.floor);
+      add_hold_layers_flag(app(), held_);
+    }
+  }
+
+  /// The last ones.
+  void add_common_flags() {
     if constexpr (requires { command_.smooth; }) add_smooth_flags(app(), command_.smooth);
     add_job_flags(app(), files_);
     add_recipe_flag(app(), files_);
   }
 
-  ExitCode run() override {
-    return run_edit_job({std::string(EditCommand::name), files_, {command_}});
-  }
+  EditCommand command_;
 
  private:
   JobFiles files_;
-  EditCommand command_;
+  std::vector<std::string> held_;
 };
 
-namespace {
+/// Of a command that its table describes.
+template <class EditCommand>
+class TableSubcommand : public EditSubcommand<EditCommand> {
+ public:
+  explicit TableSubcommand(CLI::App& program) : EditSubcommand<EditCommand>(program) {
+    if constexpr (requires { this->command_.markers; })
+      add_marker_flag(this->app(), this->command_.markers);
+    this->add_table_flags("Options");
+    this->add_common_flags();
+  }
+};
+
+/// It tells a motion that is not given from one by 0, and may hold layers.
+class MoveSubcommand : public EditSubcommand<MoveCommand> {
+ public:
+  explicit MoveSubcommand(CLI::App& program) : EditSubcommand(program) {
+    add_marker_flag(app(), command_.bodies.front().markers);
+    add_table_flags("Motion");
+    add_common_flags();
+  }
+
+  ExitCode run() override {
+    if (app().count("--rotate") + app().count("--translate") == 0) {
+      throw UsageError("nothing to do: give --rotate DEG, --translate DX DY, or both");
+    }
+    return EditSubcommand::run();
+  }
+};
+
+class DeformSubcommand : public EditSubcommand<DeformCommand> {
+ public:
+  explicit DeformSubcommand(CLI::App& program) : EditSubcommand(program) {
+    add_marker_flag(app(), command_.markers);
+    add_shape_flags();
+    add_table_flags("Motion");
+    add_common_flags();
+  }
+
+  ExitCode run() override {
+    const bool sine = sine_flag_->count() > 0;
+    if (sine == (table_flag_->count() > 0)) {
+      throw UsageError("give either --sine AMPLITUDE WAVES or --displacements FILE");
+    }
+    if (sine) {
+      command_.shape = sine_;
+    } else {
+      command_.shape = io::read_displacements(table_);
+    }
+    return EditSubcommand::run();
+  }
+
+ private:
+  void add_shape_flags() {
+    FlagGroup group(app(), "Shape");
+    sine_flag_ = app()
+                     .add_option_function<std::array<double, 2>>(
+                         "--sine",
+                         [this](const std::array<double, 2>& v) {
+                           sine_.amplitude = v[0];
+                           sine_.waves = v[1];
+                         },
+                         "Add a sine wave along the body: amplitude, number of periods")
+                     ->type_name("AMPLITUDE WAVES")
+                     ->group("Shape");
+    table_flag_ = group.value("--displacements", table_, "FILE.csv",
+                              "CSV of node,dx,dy (0-based node) or x,y,dx,dy; "
+                              "of volume meshes node,dx,dy,dz or x,y,z,dx,dy,dz, "
+                              "the names in the first line");
+    const OptionTable options = option_table(sine_);
+    add_option_flags(app(), options, "Shape");
+    for (const Option& option : options) {
+      if (option.on_command_line == OnCommandLine::yes)
+        app().get_option(flag_of(option))->needs(sine_flag_);
+    }
+  }
+
+  SineDeformation sine_;
+  std::string table_;
+  CLI::Option* sine_flag_ = nullptr;
+  CLI::Option* table_flag_ = nullptr;
+};
+
+class LayersSubcommand : public EditSubcommand<LayersCommand> {
+ public:
+  explicit LayersSubcommand(CLI::App& program) : EditSubcommand(program) {
+    flags_.declare(app());
+    add_table_flags("Layers");
+    app()
+        .add_flag_callback(
+            "--respace", [this] { command_.task = LayerTask::respace; },
+            "Give the layers that the mesh has at these walls other heights; --count is the limit "
+            "of how many of them are changed")
+        ->excludes(app().get_option("--no-control"))
+        ->group("Layers");
+    add_common_flags();
+  }
+
+  ExitCode run() override {
+    flags_.finish(command_.layers);
+    return EditSubcommand::run();
+  }
+
+ private:
+  LayerFlags flags_;
+};
+
+class ReplaySubcommand : public Subcommand {
+ public:
+  explicit ReplaySubcommand(CLI::App& program)
+      : Subcommand(program.add_subcommand("replay", "Apply the commands of a recipe, in order")) {
+    app().add_option("RECIPE", recipe_, "Recipe to run (JSON)")->required()->type_name("");
+    FlagGroup group(app());
+    group.value("--input", files_.input, "IN", "Mesh to start from instead of the recipe's");
+    threads_flag_ = group.value_as("--threads", threads_, "N", "Threads; 0 for all cores")
+                        ->check(CLI::Range(0, 4096));
+    add_job_flags(app(), files_);
+  }
+
+  ExitCode run() override {
+    io::Recipe recipe = io::read_recipe(recipe_);
+    const auto folder = std::filesystem::path(recipe_).parent_path();
+    if (files_.input.empty() && !recipe.input.empty()) {
+      files_.input = (folder / recipe.input).string();
+    }
+    if (files_.output.empty() && !recipe.output.empty()) {
+      files_.output = (folder / recipe.output).string();
+    }
+    if (files_.zone == 0) files_.zone = recipe.zone;
+    if (files_.input.empty()) {
+      throw UsageError(recipe_ + " names no mesh to start from: give one with --input IN");
+    }
+    if (threads_flag_->count() > 0) {
+      for (Command& command : recipe.commands) {
+        if (SmoothOptions* options = smooth_options(command)) options->threads = threads_;
+      }
+    }
+    return run_edit_job({"replay", files_, std::move(recipe.commands)});
+  }
+
+ private:
+  std::string recipe_;
+  JobFiles files_;
+  int threads_ = 0;
+  CLI::Option* threads_flag_ = nullptr;
+};
 
 // The subcommand of each kind of command; null: it has none.
 
@@ -40,21 +208,24 @@ requires(!EditCommand::beyond_table) std::unique_ptr<Subcommand> make_for(const 
   return std::make_unique<TableSubcommand<EditCommand>>(program);
 }
 
-/// It tells a motion that is not given from one by 0, and may hold layers.
 std::unique_ptr<Subcommand> make_for(const MoveCommand&, CLI::App& program) {
-  return make_move_subcommand(program);
+  return std::make_unique<MoveSubcommand>(program);
 }
 
 std::unique_ptr<Subcommand> make_for(const DeformCommand&, CLI::App& program) {
-  return make_deform_subcommand(program);
+  return std::make_unique<DeformSubcommand>(program);
 }
 
 std::unique_ptr<Subcommand> make_for(const LayersCommand&, CLI::App& program) {
-  return make_layers_subcommand(program);
+  return std::make_unique<LayersSubcommand>(program);
 }
 
 /// Virtual control volumes are edited in the studio and in recipes.
 std::unique_ptr<Subcommand> make_for(const EditVcvCommand&, CLI::App&) { return nullptr; }
+
+std::unique_ptr<Subcommand> make_replay_subcommand(CLI::App& program) {
+  return std::make_unique<ReplaySubcommand>(program);
+}
 
 }  // namespace
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <memory>
 
 #include "app/output/terminal.h"
 
@@ -32,15 +31,9 @@ using SubcommandList = std::vector<std::unique_ptr<Subcommand>>;
 /// All of them, in the order of the help.
 SubcommandList make_subcommands(CLI::App& program);
 
-// Of commands that need more than their table says; the others are made from that.
-std::unique_ptr<Subcommand> make_move_subcommand(CLI::App& program);
-std::unique_ptr<Subcommand> make_deform_subcommand(CLI::App& program);
-std::unique_ptr<Subcommand> make_layers_subcommand(CLI::App& program);
-
 std::unique_ptr<Subcommand> make_quality_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_render_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_convert_subcommand(CLI::App& program);
-std::unique_ptr<Subcommand> make_replay_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_studio_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_reference_subcommand(CLI::App& program);
 

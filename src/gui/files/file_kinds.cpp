@@ -5,23 +5,18 @@
 #include <cctype>
 
 #include "io/format/mesh_format.h"
-#include "io/tables/boundary_file.h"
+#include "io/tables/table_files.h"
 
 namespace winslow::gui {
 
 namespace {
-
-bool writes(const io::MeshFormat& format, MeshKind kind) {
-  if (kind == MeshKind::surface) return format.writes_surfaces;
-  return kind == MeshKind::volume ? format.writes_volumes : format.writes_planes;
-}
 
 /// Formats that are there; those that can be written, of such a mesh, or all.
 std::vector<FileKind> mesh_kinds(std::optional<MeshKind> to_write) {
   std::vector<FileKind> kinds{{"All meshes", {}}};
   for (const io::MeshFormat* format : io::mesh_formats()) {
     if (!format->missing.empty()) continue;
-    if (to_write && !writes(*format, *to_write)) continue;
+    if (to_write && !format->can_write(*to_write)) continue;
     const std::string extension = '.' + std::string(format->name);
     kinds.front().extensions.push_back(extension);
     kinds.push_back({std::string(format->title), {extension}});

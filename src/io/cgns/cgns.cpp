@@ -2,32 +2,27 @@
 
 #include <iterator>
 
-#include "io/cgns/zone_writer.h"
+#include "io/format/mesh_in_space.h"
 #include "io/format/periodicity.h"
 
 namespace winslow::io::cgns {
-const MeshFormat format{
-    .name = "cgns",
-    .title = "CGNS",
-    .versions = "",
-    .encodings = "HDF5, ADF",
-    .markers = "yes, by name",
-    .regions = "yes, not in structured zones",
-    .quadrilaterals = "yes",
-    .volumes = "yes, unstructured zones",
-    .writes_volumes = true,
-    .keeps_markers = true,
-    .keeps_periodic = true,
-    .missing = no_library,
-    .recognise =
-        [](const Content& content) {
-          return signature_if(container_of(content.whole).has_value());
-        },
-    .read = [](Source& source) { return read_zone(source, 0); },
-    .read_zone = read_zone,
-    .write = [](std::ostream& out, const Mesh& mesh, const FormatDetails* details,
-                const WriteOptions& options) { return write(out, mesh, details, options); },
-    .write_zones = write_zones};
+
+const MeshFormat format{.name = "cgns",
+                        .title = "CGNS",
+                        .encodings = "HDF5, ADF",
+                        .markers = "yes, by name",
+                        .regions = "yes, not in structured zones",
+                        .volumes = "yes, unstructured zones",
+                        .writes = {true, false, true},
+                        .keeps_periodic = true,
+                        .missing = no_library,
+                        .recognise =
+                            [](const Content& content) {
+                              return signature_if(container_of(content.whole).has_value());
+                            },
+                        .read_zone = read_zone,
+                        .write = write,
+                        .write_zones = write_zones};
 
 namespace {
 
@@ -117,8 +112,7 @@ NodePtr new_tree(const Mesh& mesh, const FormatDetails* details,
   NewZoneSource source;
   source.place = details;
   const int cell_dimension = mesh.topology->cell_dimension();
-  const bool in_space = details != nullptr && (details->plane || !details->plane_z.empty());
-  source.physical_dimension = cell_dimension == 3 || in_space ? 3 : 2;
+  source.physical_dimension = coordinates_in_file(mesh, details);
   const auto& markers = mesh.topology->markers();
   // Zones and families stand side by side and cannot have the same name.
   while (markers.find(source.name)) source.name += "_1";

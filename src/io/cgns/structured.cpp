@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "io/cgns/zone_periodic.h"
+#include "io/cgns/zone_markers.h"
 
 namespace winslow::io::cgns {
 namespace {

@@ -1,7 +1,5 @@
 #include "io/cgns/tree.h"
 
-#include <algorithm>
-#include <array>
 #include <cstring>
 
 namespace winslow::io::cgns {
@@ -35,14 +33,14 @@ NodePtr find_path(const NodePtr& root, std::string_view path) {
 }
 
 /// The node that links lead to in the end; null: none of this file, or round in a circle.
-NodePtr follow(const NodePtr& root, const Node& link) {
+NodePtr target_of(const NodePtr& root, const Node& link) {
   constexpr int longest_chain = 100;  // as CGNS has it
   NodePtr node;
-  const Node* at = &link;
-  for (int i = 0; i < longest_chain && at->link_file.empty(); ++i) {
-    node = find_path(root, at->link_path);
+  const Node* here = &link;
+  for (int i = 0; i < longest_chain && here->link_file.empty(); ++i) {
+    node = find_path(root, here->link_path);
     if (!node || !node->is_link()) return node;
-    at = node.get();
+    here = node.get();
   }
   return nullptr;
 }
@@ -121,7 +119,7 @@ std::int64_t value_count(const Node& node) {
 }
 
 void resolve_links(const NodePtr& root, const std::vector<std::shared_ptr<Node>>& links) {
-  for (const auto& link : links) link->target = follow(root, *link);
+  for (const auto& link : links) link->target = target_of(root, *link);
 }
 
 std::shared_ptr<Node> make_node(std::string name, std::string label) {

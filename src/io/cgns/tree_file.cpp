@@ -1,4 +1,4 @@
-#include "io/cgns/tree_file.h"
+#include "io/cgns/tree.h"
 
 namespace winslow::io::cgns {
 

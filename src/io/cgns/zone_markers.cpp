@@ -1,6 +1,5 @@
 #include "io/cgns/zone_markers.h"
 
-#include <map>
 #include <set>
 
 namespace winslow::io::cgns {
@@ -78,7 +77,7 @@ class MarkerMaker {
   MarkerMaker(const ZoneHead& head, const ZoneBoundary& boundary, const ZoneSides& sides,
               ParsedMesh& mesh, Details& details)
       : indices_(head.vertices.size()),
-        side_(head.cell_dimension == 2 ? "edge" : "face"),
+        side_(side_name(head.cell_dimension)),
         boundary_(boundary),
         sides_(sides),
         mesh_(mesh),

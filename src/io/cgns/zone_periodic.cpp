@@ -1,6 +1,5 @@
-#include "io/cgns/zone_periodic.h"
+#include "io/cgns/zone_markers.h"
 
-#include <map>
 #include <set>
 
 #include "io/format/periodicity.h"

@@ -1,30 +1,9 @@
 #include "io/cgns/cgns.h"
-#include "io/cgns/sections.h"
 #include "io/cgns/structured.h"
 #include "io/cgns/zone_markers.h"
-#include "io/cgns/zone_periodic.h"
 #include "io/cgns/zones.h"
 
 namespace winslow::io::cgns {
-
-/// Boundary faces of an unstructured zone: sides by the numbers of their elements, or boundary
-/// faces by their vertices. What it is made of has to outlive it.
-class UnstructuredBoundary : public ZoneBoundary {
- public:
-  UnstructuredBoundary(const MeshData& mesh, const ZoneSides& sides, const ZoneHead& head)
-      : sides_(sides),
-        vertices_(head.vertex_count),
-        dimension_(head.cell_dimension),
-        by_nodes_(mesh) {}
-  std::vector<Face> faces_of(const PointSet& set,
-                             std::vector<std::string>& warnings) const override;
-
- private:
-  const ZoneSides& sides_;
-  std::int64_t vertices_;
-  int dimension_;  // of the cells
-  BoundaryByNodes by_nodes_;
-};
 
 namespace {
 
@@ -40,48 +19,61 @@ bool means_elements(const PointSet& set, const ZoneSides& sides, std::int64_t ve
          std::all_of(set.values.begin(), set.values.end(), is_side);
 }
 
-}  // namespace
+/// Boundary faces of an unstructured zone: sides by the numbers of their elements, or boundary
+/// faces by their vertices. What it is made of has to outlive it.
+class UnstructuredBoundary : public ZoneBoundary {
+ public:
+  UnstructuredBoundary(const MeshData& mesh, const ZoneSides& sides, const ZoneHead& head)
+      : sides_(sides),
+        vertices_(head.vertex_count),
+        dimension_(head.cell_dimension),
+        by_nodes_(mesh) {}
 
-std::vector<Face> UnstructuredBoundary::faces_of(const PointSet& set,
-                                                 std::vector<std::string>& warnings) const {
-  const std::string owner = "\"" + set.view.path() + "\"";
-  if (!means_elements(set, sides_, vertices_)) {
-    std::vector<bool> nodes(static_cast<std::size_t>(vertices_), false);
-    set.for_each_number([&](std::int64_t vertex) {
-      if (vertex < 1 || vertex > vertices_) {
-        set.view.fail("vertex " + std::to_string(vertex), "1 to " + std::to_string(vertices_));
+  std::vector<Face> faces_of(const PointSet& set,
+                             std::vector<std::string>& warnings) const override {
+    const std::string owner = "\"" + set.view.path() + "\"";
+    if (!means_elements(set, sides_, vertices_)) {
+      std::vector<bool> nodes(static_cast<std::size_t>(vertices_), false);
+      set.for_each_number([&](std::int64_t vertex) {
+        if (vertex < 1 || vertex > vertices_) {
+          set.view.fail("vertex " + std::to_string(vertex), "1 to " + std::to_string(vertices_));
+        }
+        nodes[static_cast<std::size_t>(vertex - 1)] = true;
+      });
+      return by_nodes_.faces_between(nodes);
+    }
+    if (set.of_vertices()) {
+      warnings.push_back(owner + " has numbers that no vertex has: taken for elements");
+    }
+    std::vector<Face> faces;
+    std::int64_t others = 0;
+    set.for_each_number([&](std::int64_t number) {
+      const ElementPlace place = sides_.numbers.find(number);
+      if (place.kind == ElementPlace::Kind::none) {
+        set.view.fail(
+            "element " + std::to_string(number),
+            "1 to " + std::to_string(sides_.numbers.last()) + ", as the sections have them");
       }
-      nodes[static_cast<std::size_t>(vertex - 1)] = true;
+      if (place.kind == ElementPlace::Kind::side) {
+        faces.push_back(sides_.faces[at(place.index)]);
+      } else {
+        ++others;
+      }
     });
-    return by_nodes_.faces_between(nodes);
-  }
-  if (set.of_vertices()) {
-    warnings.push_back(owner + " has numbers that no vertex has: taken for elements");
-  }
-  std::vector<Face> faces;
-  std::int64_t others = 0;
-  set.for_each_number([&](std::int64_t number) {
-    const ElementPlace place = sides_.numbers.find(number);
-    if (place.kind == ElementPlace::Kind::none) {
-      set.view.fail(
-          "element " + std::to_string(number),
-          "1 to " + std::to_string(sides_.numbers.last()) + ", as the sections have them");
+    if (others > 0) {
+      constexpr std::array sides{"", "", "edges (BAR_2)", "faces (TRI_3, QUAD_4)"};
+      warnings.push_back(owner + " names " + std::to_string(others) + " elements that are no " +
+                         sides[at(dimension_)] + ": they are in no marker");
     }
-    if (place.kind == ElementPlace::Kind::side) {
-      faces.push_back(sides_.faces[at(place.index)]);
-    } else {
-      ++others;
-    }
-  });
-  if (others > 0) {
-    warnings.push_back(owner + " names " + std::to_string(others) + " elements that are no " +
-                       (dimension_ == 2 ? "edges (BAR_2)" : "faces (TRI_3, QUAD_4)") +
-                       ": they are in no marker");
+    return faces;
   }
-  return faces;
-}
 
-namespace {
+ private:
+  const ZoneSides& sides_;
+  std::int64_t vertices_;
+  int dimension_;  // of the cells
+  BoundaryByNodes by_nodes_;
+};
 
 /// The vertex that each node has its place from: the first of those that are one node.
 std::vector<std::size_t> first_vertices(const Lattice& lattice) {
@@ -115,8 +107,6 @@ class ZoneReader {
       read_regions(zone_, sides.numbers, mesh_.data, mesh_.warnings);
     }
     warn_of_other_grids();
-    details_->nodes = mesh_.data.node_count();
-    details_->elements = mesh_.data.element_count();
     details_->markers = mesh_.data.markers;
     zone_.set_part();
     return std::move(mesh_);
@@ -174,16 +164,6 @@ class ZoneReader {
 };
 
 }  // namespace
-
-bool Details::fits(const Mesh& mesh) const {
-  const Topology& topology = *mesh.topology;
-  if (nodes != topology.node_count() || elements != topology.element_count()) return false;
-  if (!topology.markers().from_file()) return markers.empty();
-  const auto& own = topology.markers().list();
-  return std::equal(
-      own.begin(), own.end(), markers.begin(), markers.end(),
-      [](const Marker& a, const Marker& b) { return a.name == b.name && a.faces == b.faces; });
-}
 
 ParsedMesh read_zone(Source& source, int number) {
   source.set_part("/");

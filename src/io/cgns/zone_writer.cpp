@@ -1,9 +1,8 @@
-#include "io/cgns/zone_writer.h"
+#include "io/cgns/cgns.h"
 
-#include <bit>
 #include <set>
 
-#include "io/cgns/sections.h"
+#include "io/cgns/zones.h"
 #include "io/format/mesh_in_space.h"
 #include "io/format/parsed_mesh.h"
 
@@ -106,8 +105,7 @@ NodePtr moved_zone(const NodePtr& zone, const Mesh& mesh, const Details& details
   bool moved = false, single = true, fits = true;
   constexpr std::array names{"CoordinateX", "CoordinateY", "CoordinateZ"};
   // Nodes that move in a plane z = constant keep their z.
-  const bool in_space = details.plane || mesh.coordinates.dimension() == 3;
-  const int directions = in_space ? 3 : 2;
+  const int directions = details.plane ? 3 : mesh.coordinates.dimension();
   for (int direction = 0; direction < directions; ++direction) {
     const NodePtr array = child_named(*moved_grid, names[at(direction)]);
     coordinates.emplace_back(array, MovedCoordinate(array->content(), mesh, details, direction));
@@ -178,7 +176,6 @@ class ZoneMaker {
         topology_(*mesh.topology),
         source_(source),
         warnings_(warnings) {
-    sides_ = topology_.cell_dimension() == 2 ? "edges" : "faces";
     if (topology_.markers().from_file()) markers_ = topology_.markers().list();
   }
 
@@ -333,14 +330,16 @@ class ZoneMaker {
   }
 
   void add_markers() {
+    constexpr std::array locations{"", "", "EdgeCenter", "FaceCenter"};
+    const char* location = locations[at(topology_.cell_dimension())];
     auto conditions = make_node("ZoneBC", "ZoneBC_t");
     std::set<std::string> condition_names;
     Index first = topology_.element_count();
     for (std::size_t m = 0; m < markers_.size(); ++m) {
       const Marker& marker = markers_[m];
       if (marker.faces.empty()) {
-        warnings_.push_back("marker \"" + marker.name + "\" has no " + sides_ +
-                            ": it is not written");
+        warnings_.push_back("marker \"" + marker.name + "\" has no " +
+                            side_name(topology_.cell_dimension()) + "s: it is not written");
         continue;
       }
       const auto count = static_cast<Index>(marker.faces.size());
@@ -350,9 +349,7 @@ class ZoneMaker {
       condition_names.insert(condition->name);
       condition->children.push_back(
           make_integers("PointRange", "IndexRange_t", {first + 1, first + count}, {1, 2}));
-      condition->children.push_back(
-          make_text("GridLocation", "GridLocation_t",
-                    topology_.cell_dimension() == 2 ? "EdgeCenter" : "FaceCenter"));
+      condition->children.push_back(make_text("GridLocation", "GridLocation_t", location));
       conditions->children.push_back(std::move(condition));
       first += count;
     }
@@ -427,7 +424,6 @@ class ZoneMaker {
   const NewZoneSource& source_;
   std::vector<std::string>& warnings_;
   std::vector<Marker> markers_;
-  std::string sides_;  // what markers are made of
   std::shared_ptr<Node> zone_;
   std::vector<NodePtr> families_;
   std::set<std::string> taken_;

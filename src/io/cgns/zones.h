@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
-
+#include "core/mesh/element_type.h"
+#include "core/mesh/mesh_data.h"
 #include "io/cgns/tree.h"
 
 namespace winslow::io::cgns {
@@ -46,5 +46,59 @@ struct VertexPlaces {
 /// Throws InputError: coordinates of another kind, of another number than there are vertices, or
 /// not finite.
 VertexPlaces read_places(const NodeView& grid, const ZoneHead& head);
+
+/// Numbers of the element types that readers and writers treat apart (ElementType_t of the SIDS).
+enum : std::int64_t { node_element = 2, bar_2 = 3, mixed = 20, ngon_n = 22, nface_n = 23 };
+
+/// "QUAD_4"; "type 99" for a number that means nothing.
+std::string element_name(std::int64_t type);
+/// The element of ours that a type of CGNS is, if it is one: TRI_3, ..., HEXA_8.
+std::optional<ElementType> element_of(std::int64_t type);
+std::int64_t element_number(ElementType type);
+/// " (second or higher order)" and the like: why a type is none of ours in a mesh of cells of that
+/// dimension; may be empty.
+std::string element_hint(std::int64_t type, int cell_dimension);
+
+/// What an element of a zone is, by its number.
+struct ElementPlace {
+  enum class Kind : std::uint8_t { none, point, line, side, cell };
+  Kind kind = Kind::none;  ///< none: the zone has no element of that number
+  /// Of a side: among the sides of the zone; of a cell: among the elements of the mesh.
+  Index index = -1;
+};
+
+/// What the elements of an unstructured zone are.
+class ElementNumbers {
+ public:
+  ElementPlace find(std::int64_t number) const;
+  std::int64_t last() const { return ranges_.empty() ? 0 : ranges_.back().last; }
+
+  struct Range {
+    std::int64_t first, last;
+    std::vector<ElementPlace> places;  ///< of each number; one alone: of the first, others follow
+  };
+  /// In ascending order. Places that follow one another are kept as one.
+  void add(Range range);
+
+ private:
+  std::vector<Range> ranges_;
+};
+
+/// The elements of one dimension less than the cells, lines or triangles and quadrilaterals: what
+/// markers are made of.
+struct ZoneSides {
+  struct Section {
+    std::string name;
+    std::size_t first, count;  ///< of its sides in `faces`
+  };
+  std::vector<Face> faces;
+  std::vector<Section> sections;
+  ElementNumbers numbers;
+};
+
+/// Reads all sections (Elements_t), in the order of their element numbers: cells into the mesh,
+/// sides into the result, elements of fewer dimensions not at all. Throws InputError for elements
+/// of other kinds, naming them.
+ZoneSides read_sections(const NodeView& zone, const ZoneHead& head, MeshData& mesh);
 
 }  // namespace winslow::io::cgns

@@ -1,6 +1,5 @@
 #include "io/format/mesh_file.h"
 
-#include <map>
 #include <tuple>
 
 #include "core/error.h"
@@ -37,7 +36,7 @@ std::vector<std::string> marker_overlaps(const Topology& topology) {
   for (std::size_t k = 1; k < all.size(); ++k) {
     if (all[k].nodes == all[k - 1].nodes) ++pairs[{all[k - 1].marker, all[k].marker}];
   }
-  const char* what = topology.cell_dimension() == 2 ? "edge" : "face";
+  const char* what = side_name(topology.cell_dimension());
   std::vector<std::string> warnings;
   for (const auto& [pair, n] : pairs) {
     const std::string& first = markers[pair.first].name;
@@ -69,19 +68,19 @@ const MeshFormat* detect(const Source& source, const std::filesystem::path& path
 
 /// The place in the file of what an error of make_mesh is about.
 std::size_t place_of(const MeshError& error, const SourceMap& where) {
-  const auto at = [](const std::vector<std::size_t>& offsets, Index i) {
+  const auto offset = [](const std::vector<std::size_t>& offsets, Index i) {
     const auto k = static_cast<std::size_t>(i);
     return i >= 0 && k < offsets.size() ? offsets[k] : std::size_t{0};
   };
   switch (error.entity()) {
     case MeshEntity::node:
-      return at(where.nodes, error.index());
+      return offset(where.nodes, error.index());
     case MeshEntity::element:
-      return at(where.elements, error.index());
+      return offset(where.elements, error.index());
     case MeshEntity::marker_face: {
       const auto m = static_cast<std::size_t>(error.marker());
       return error.marker() >= 0 && m < where.marker_edges.size()
-                 ? at(where.marker_edges[m], error.index())
+                 ? offset(where.marker_edges[m], error.index())
                  : 0;
     }
     case MeshEntity::mesh:
@@ -92,10 +91,7 @@ std::size_t place_of(const MeshError& error, const SourceMap& where) {
 
 void check_dimension(const std::filesystem::path& path, const Topology& topology,
                      const MeshFormat& format) {
-  const bool can = topology.cell_dimension() == 3 ? format.writes_volumes
-                   : is_surface(topology)         ? format.writes_surfaces
-                                                  : format.writes_planes;
-  if (can) return;
+  if (format.can_write(kind_of(topology))) return;
   throw UsageError(path.string() + ": " + std::string(format.title) + " files cannot hold a " +
                    std::string(mesh_kind(topology)));
 }
@@ -109,10 +105,6 @@ const MeshFormat* folder_format(const std::filesystem::path& path, std::filesyst
     if (!folder.empty()) return format;
   }
   return nullptr;
-}
-
-ParsedMesh read_with(const MeshFormat& format, Source& source, int zone) {
-  return format.read_zone ? format.read_zone(source, zone) : format.read(source);
 }
 
 }  // namespace
@@ -130,7 +122,10 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
     throw UsageError(source.name() + ": no zone " + std::to_string(options.zone) +
                      ": a file of this format is one mesh");
   }
-  ParsedMesh parsed = read_with(*file.format, source, options.zone);
+  ParsedMesh parsed = file.format->read_zone ? file.format->read_zone(source, options.zone)
+                                             : file.format->read(source);
+  parsed.details->nodes = parsed.data.node_count();
+  parsed.details->elements = parsed.data.element_count();
   turn_to_viewer(parsed);
   file.warnings.insert(file.warnings.end(), parsed.warnings.begin(), parsed.warnings.end());
   try {
@@ -152,9 +147,8 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
 std::vector<std::string> zones_left(const FormatDetails* details,
                                     const std::filesystem::path& path) {
   if (!details || details->zones.size() < 2) return {};
-  std::string numbers;
-  for (const int number : details->zones)
-    numbers += (numbers.empty() ? "" : ", ") + std::to_string(number);
+  const std::string numbers =
+      list_of(details->zones, [](int number) { return std::to_string(number); });
   return {path.string() + ": has " + std::to_string(details->zones.size()) + " zones (" + numbers +
           "); this is zone " + std::to_string(details->zone) + ", --zone N opens another"};
 }

@@ -28,10 +28,16 @@ struct FormatDetails {
   std::vector<double> plane_z;         ///< z of each node, or one for all; empty: 0
   /// Where a plane other than z = constant lies; null: z is constant.
   std::shared_ptr<PlanePlacement> plane;
-  std::vector<int> zones;  ///< numbers of all zones of the file; empty: it has none
-  int zone = 0;            ///< the one that was read
+  Index nodes = 0, elements = 0;  ///< sizes of the mesh that was read
+  std::vector<int> zones;         ///< numbers of all zones of the file; empty: it has none
+  int zone = 0;                   ///< the one that was read
   /// What the file says of periodic sides; null for details that came from no file.
   std::shared_ptr<GivenPeriodicity> periodic;
+
+  /// True if a mesh has as many nodes and elements as the one that was read.
+  bool same_size(const Topology& topology) const {
+    return nodes == topology.node_count() && elements == topology.element_count();
+  }
 };
 
 /// A mesh read from a file.

@@ -26,9 +26,7 @@ const MeshFormat* format_of_extension(const std::filesystem::path& path) {
   std::string extension =
       (is_gzip_name(path) ? path.stem().extension() : path.extension()).string();
   if (extension.empty()) return nullptr;
-  extension.erase(0, 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  extension = lower_case(extension.substr(1));
   for (const MeshFormat* format : mesh_formats()) {
     if (format->name == extension) return format;
   }
@@ -49,10 +47,8 @@ const MeshFormat* format_of_content(std::string_view bytes) {
 }
 
 std::string supported_extensions() {
-  std::string text;
-  for (const MeshFormat* format : mesh_formats())
-    text += (text.empty() ? "." : ", .") + std::string(format->name);
-  return text;
+  return list_of(mesh_formats(),
+                 [](const MeshFormat* format) { return '.' + std::string(format->name); });
 }
 
 std::string binary_formats() {

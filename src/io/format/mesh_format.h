@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/topology.h"
 #include "io/file/atomic_file.h"
 #include "io/format/parsed_mesh.h"
 
@@ -31,28 +32,28 @@ struct Evidence {
   bool stronger_than(const Evidence& other) const;
 };
 
-/// One mesh format. Texts are literals.
+/// One mesh format: what most of them are, and what it says otherwise. Texts are literals.
 struct MeshFormat {
-  std::string_view name;      ///< the extension without its dot, in lower case: "msh"
-  std::string_view title;     ///< "Gmsh"
-  std::string_view versions;  ///< in docs/formats.md: "2.2 and 4.1"
+  std::string_view name;           ///< the extension without its dot, in lower case: "msh"
+  std::string_view title;          ///< "Gmsh"
+  std::string_view versions = {};  ///< in docs/formats.md: "2.2 and 4.1"
   // What docs/formats.md says that it holds.
-  std::string_view encodings, markers, regions, quadrilaterals, volumes = "no";
+  std::string_view encodings = "text", markers = "yes", regions = "yes", quadrilaterals = "yes",
+                   volumes = "yes";
   /// Of formats whose meshes are folders: what such a folder is called.
   std::string_view folder_name = {};
-  bool writes_planes = true;
-  bool writes_surfaces = false;  ///< surface meshes
-  bool writes_volumes = false;   ///< volume meshes, or at least what bounds them
-  bool keeps_markers = false;
+  /// By MeshKind: it can be written. Of a volume mesh formats of surfaces hold what bounds it.
+  std::array<bool, 3> writes{true, true, true};
+  bool keeps_markers = true;
   bool keeps_periodic = false;  ///< what it says of periodic sides is its writer's affair
   bool has_binary = false;
   /// Why this build of the program can neither read nor write it; empty: it can.
   std::string_view missing = {};
 
   Evidence (*recognise)(const Content& content);
-  ParsedMesh (*read)(Source& source);
-  /// Of formats that hold several meshes, zones, in one file; null: this one does not. The number
-  /// of the zone; 0: the first. Throws UsageError if there is none of that number.
+  ParsedMesh (*read)(Source& source) = nullptr;
+  /// Instead of read(), of formats that hold several meshes, zones, in one file. The number of the
+  /// zone; 0: the first. Throws UsageError if there is none of that number.
   ParsedMesh (*read_zone)(Source& source, int zone) = nullptr;
   /// Of formats whose meshes are folders: the one that a path stands for, which read() finds in the
   /// name of a source without bytes; empty: for none.
@@ -71,6 +72,8 @@ struct MeshFormat {
   /// given are written as they were.
   std::vector<std::string> (*write_zones)(std::ostream& out, std::span<const MeshZone> zones,
                                           const WriteOptions& options) = nullptr;
+
+  bool can_write(MeshKind kind) const { return writes[static_cast<std::size_t>(kind)]; }
 };
 
 /// All formats, in the order of lists.

@@ -163,6 +163,11 @@ Vec3 place_in_space(const FormatDetails* details, const Coordinates& x, Index no
   return {p.x(), p.y(), plane_z(details, node)};
 }
 
+int coordinates_in_file(const Mesh& mesh, const FormatDetails* details) {
+  const bool elsewhere = details != nullptr && (details->plane || !details->plane_z.empty());
+  return elsewhere ? 3 : mesh.coordinates.dimension();
+}
+
 Vec3 MeshInSpace::node(Index i) const { return place_in_space(details_, mesh_.coordinates, i); }
 
 FileCorners MeshInSpace::element(Index e) const {

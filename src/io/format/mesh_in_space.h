@@ -88,6 +88,10 @@ class MeshInSpace {
 /// Where a node is: of a plane mesh, where the file had its plane.
 Vec3 place_in_space(const FormatDetails* details, const Coordinates& x, Index node);
 
+/// How many coordinates a file of the mesh needs: three of a mesh in space, and of a plane one that
+/// does not lie in z = 0.
+int coordinates_in_file(const Mesh& mesh, const FormatDetails* details);
+
 /// Turns the corners of a prism, as ElementShape numbers them, into those of VTK's wedge, and back:
 /// its triangle 0 1 2 faces outwards.
 inline void mirror_prism(std::span<Index> corners) {

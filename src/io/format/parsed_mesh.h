@@ -1,5 +1,8 @@
 #pragma once
 
+#include <map>
+#include <unordered_set>
+
 #include "core/mesh/mesh_data.h"
 #include "io/format/mesh_file.h"
 #include "io/text/source.h"
@@ -41,5 +44,77 @@ void turn_to_viewer(ParsedMesh& mesh);
 
 /// Throws InputError "... not finite" at the first node that has a NaN or an infinity.
 void check_finite(const Source& source, const ParsedMesh& mesh);
+
+/// Details of a format that mixes the faces of markers with other elements in one list: which
+/// elements of less than the mesh's dimension there are, in the order of the file, and which of
+/// them make up each marker.
+struct BoundaryDetails : FormatDetails {
+  std::vector<Index> points;  ///< node of each point element
+  /// Nodes of each line element and, where the mesh has volumes, of each triangle and each
+  /// quadrilateral.
+  std::vector<Face> sides;
+  /// Sides of each marker, in its order: s, or ~s (negative) where the marker holds the reversed
+  /// side (as Gmsh allows).
+  std::vector<std::vector<Index>> marker_sides;
+
+  /// The face that an entry of marker_sides stands for.
+  Face face(Index coded) const;
+  /// True if this still describes the mesh: as many nodes and elements, the same marker faces.
+  bool fits(const Mesh& mesh) const;
+};
+
+/// Details of a format that holds markers as we do.
+struct MarkerDetails : FormatDetails {
+  std::vector<Marker> markers;  ///< as they were read
+  /// True if this still describes the mesh: as many nodes and elements, the same markers.
+  bool fits(const Mesh& mesh) const;
+};
+
+/// "edge" or "face": what surrounds elements of that dimension, and markers are made of.
+constexpr const char* side_name(int cell_dimension) {
+  constexpr std::array names{"", "", "edge", "face"};
+  return names[at(cell_dimension)];
+}
+/// Whether a face is such a side: of one dimension less than the elements.
+inline bool is_side(const Face& face, int cell_dimension) {
+  const int dimension = face.size() == 2 ? 1 : 2;
+  return dimension + 1 == cell_dimension;
+}
+
+/// Numbered groups of a file (physical groups, tagged cells): a name for every tag, no name twice.
+class GroupIndex {
+ public:
+  /// A group without a name of its own is called after `prefix` and its tag.
+  explicit GroupIndex(std::string prefix) : prefix_(std::move(prefix)) {}
+
+  bool contains(int tag) const { return index_.contains(tag); }
+  std::size_t add(int tag, std::string name);
+  /// Position of the group in all(); the group is added if it is new.
+  std::size_t find(int tag);
+  const std::vector<Region>& all() const { return groups_; }
+
+ private:
+  std::string prefix_;
+  std::map<int, std::size_t> index_;
+  std::unordered_set<std::string> names_;
+  std::vector<Region> groups_;
+};
+
+/// Notes that a side (coded as in BoundaryDetails::marker_sides), found at `offset` in the file,
+/// belongs to a marker.
+void add_marker_side(std::size_t marker, Index side, std::size_t offset, BoundaryDetails& details,
+                     ParsedMesh& mesh);
+/// Makes the markers of the mesh from the groups and from the sides that were noted.
+void make_markers(const std::vector<Region>& groups, BoundaryDetails& details, ParsedMesh& mesh);
+
+/// Tags to write for groups: their own if those are positive and differ, else 1, 2, ...
+std::vector<int> usable_tags(std::vector<int> tags, const char* what,
+                             std::vector<std::string>& warnings);
+template <class Group>
+std::vector<int> tags_of(const std::vector<Group>& groups) {
+  std::vector<int> tags;
+  for (const Group& group : groups) tags.push_back(group.tag);
+  return tags;
+}
 
 }  // namespace winslow::io

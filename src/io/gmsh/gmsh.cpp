@@ -38,12 +38,6 @@ const MeshFormat format{
     .versions = "2.2 and 4.1",
     .encodings = "text, binary",
     .markers = "yes, name and tag",
-    .regions = "yes",
-    .quadrilaterals = "yes",
-    .volumes = "yes",
-    .writes_surfaces = true,
-    .writes_volumes = true,
-    .keeps_markers = true,
     .keeps_periodic = true,
     .has_binary = true,
     .recognise =
@@ -52,22 +46,22 @@ const MeshFormat format{
           return signature_if(first == "$MeshFormat" || first == "$NOD" || first == "$Comments");
         },
     .read = read,
-    .write =
-        [](std::ostream& out, const Mesh& mesh, const FormatDetails* details,
-           const io::WriteOptions& options) {
-          const auto* own = dynamic_cast<const Details*>(details);
-          const bool newest = own == nullptr || own->version_4;
-          const bool version_4 =
-              options.gmsh_version.empty() ? newest : options.gmsh_version == "4.1";
-          return write(out, mesh, details, {version_4, options.binary});
-        }};
+    .write = write};
+
+std::span<const Index> Details::nodes_beside(const Item& item) const {
+  const int of_item = info_of(item.shape).dimension;
+  if (of_item == dimension) return {};
+  if (of_item == 0) return {&points[at(item.index)], 1};
+  const Face& side = sides[at(item.index)];
+  return {side.begin(), side.end()};
+}
 
 namespace {
 
 /// Physical groups of one dimension: those with a name first, as $PhysicalNames lists them, then
 /// the others as they turn up.
-GroupIndex groups_of(const Details& details, int dimension, const char* prefix) {
-  GroupIndex groups(prefix);
+GroupIndex groups_of(const Details& details, int dimension) {
+  GroupIndex groups(std::string(entity_names[at(dimension)]) + '_');
   for (const PhysicalName& name : details.physical_names) {
     if (name.dimension == dimension) groups.add(name.tag, name.name);
   }
@@ -93,10 +87,9 @@ Physicals physicals_by_entity(const Details& details) {
 }  // namespace
 
 void collect_groups(std::span<const std::size_t> offsets, Details& details, ParsedMesh& mesh) {
-  static constexpr std::array<const char*, 4> prefixes{"point_", "curve_", "surface_", "volume_"};
   const int side = details.dimension - 1;
-  GroupIndex markers = groups_of(details, side, prefixes[at(side)]);
-  GroupIndex regions = groups_of(details, details.dimension, prefixes[at(details.dimension)]);
+  GroupIndex markers = groups_of(details, side);
+  GroupIndex regions = groups_of(details, details.dimension);
   const Physicals physicals = physicals_by_entity(details);
   auto& element_region = mesh.data.element_region;
   element_region.assign(mesh.data.types.size(), -1);
@@ -184,15 +177,10 @@ EntityBoxes collect_boxes(const Details& details, const Coordinates& coordinates
     for (Index i = 0; i < block.count; ++i) boxes.add(block.dimension, block.entity, node++);
   }
   for (const Item& item : details.items) {
-    const auto i = static_cast<std::size_t>(item.index);
     const int dimension = info_of(item.shape).dimension;
-    if (dimension == 0) {
-      boxes.add(0, item.entity, details.points[i]);
-    } else if (dimension < details.dimension) {
-      for (const Index n : details.sides[i]) boxes.add(dimension, item.entity, n);
-    } else {
-      for (const Index n : corners_of(item.index)) boxes.add(dimension, item.entity, n);
-    }
+    std::span<const Index> nodes = details.nodes_beside(item);
+    if (nodes.empty()) nodes = corners_of(item.index);
+    for (const Index n : nodes) boxes.add(dimension, item.entity, n);
   }
   return boxes.take();
 }

@@ -2,8 +2,8 @@
 
 #include "core/mesh/element_type.h"
 #include "core/mesh/mesh.h"
-#include "io/format/groups.h"
 #include "io/format/mesh_format.h"
+#include "io/format/parsed_mesh.h"
 
 /// Gmsh's MSH format, versions 2.2 and 4.1, ASCII and binary: Gmsh reference manual, "MSH file
 /// format".
@@ -14,6 +14,10 @@ struct PhysicalName {
   int tag;
   std::string name;
 };
+
+/// By dimension: what an entity is called, and how many numbers of Entity::box a file has of it.
+constexpr std::array<const char*, 4> entity_names{"point", "curve", "surface", "volume"};
+constexpr std::array<std::size_t, 4> box_numbers{3, 6, 6, 6};
 
 /// Geometric entity of a 4.1 file. `box` is minimum x y z, maximum x y z; a point has its place
 /// in the first three.
@@ -90,6 +94,9 @@ struct Details : BoundaryDetails {
   std::vector<std::int64_t> node_tags;          ///< empty: 1, 2, 3, ...
   std::vector<Item> items;
   std::vector<PeriodicLink> links;  ///< what the raw text of $Periodic says
+
+  /// Nodes of an item that is a point or a side; empty: it is an element of the mesh.
+  std::span<const Index> nodes_beside(const Item& item) const;
 };
 
 /// Boxes around the nodes of each entity (those in its node blocks and its elements), by dimension
@@ -102,10 +109,6 @@ extern const MeshFormat format;
 
 ParsedMesh read(Source& source);
 
-struct WriteOptions {
-  bool version_4 = true;
-  bool binary = false;
-};
 /// `source`: details of the file that the mesh came from, of this format or of another; may be
 /// null.
 std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source,

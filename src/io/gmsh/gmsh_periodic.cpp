@@ -1,4 +1,4 @@
-#include "io/gmsh/gmsh_periodic.h"
+#include "io/gmsh/value_reader.h"
 
 #include <cstdlib>
 #include <set>
@@ -13,10 +13,10 @@ namespace {
 constexpr std::size_t affine_size = 16;
 
 int entity_tag(ValueReader& values, const Source& source, const Expected& expected) {
-  const std::size_t at = values.offset();
+  const std::size_t start = values.offset();
   const int tag = values.integer(expected);
   if (tag == 0 || tag == std::numeric_limits<int>::min())
-    source.fail(at, std::to_string(tag), expected.text());
+    source.fail(start, std::to_string(tag), expected.text());
   return std::abs(tag);  // negative: the reversed entity
 }
 
@@ -70,6 +70,14 @@ PeriodicLink read_link(Scanner& scan, ValueReader& values, bool version_4,
   return link;
 }
 
+/// The links of entities of one dimension less than the elements.
+std::vector<const PeriodicLink*> links_of_sides(const Details& details) {
+  std::vector<const PeriodicLink*> links;
+  for (const PeriodicLink& link : details.links)
+    if (link.dimension + 1 == details.dimension) links.push_back(&link);
+  return links;
+}
+
 /// Which markers the entities around a mesh are in.
 class MarkedEntities {
  public:
@@ -86,8 +94,8 @@ class MarkedEntities {
         markers_[entity].insert(m);
       }
     }
-    for (const PeriodicLink& link : details.links)
-      if (link.dimension == details.dimension - 1) linked_.insert({link.entity, link.master});
+    for (const PeriodicLink* link : links_of_sides(details))
+      linked_.insert({link->entity, link->master});
   }
 
   /// An entity of a marker that no link joins; none: all are.
@@ -133,8 +141,7 @@ class PairBuilder {
       : source_(source), details_(details), tags_(tags), data_(data), entities_(details) {}
 
   std::vector<GivenPairs> build() {
-    for (const PeriodicLink& link : details_.links)
-      if (link.dimension == details_.dimension - 1) add(link);
+    for (const PeriodicLink* link : links_of_sides(details_)) add(*link);
     hold_corners();
     for (Draft& draft : drafts_) find_gaps(draft);
     std::vector<GivenPairs> all;
@@ -145,7 +152,7 @@ class PairBuilder {
  private:
   const std::string& name(std::size_t marker) const { return data_.markers[marker].name; }
   std::string entity_text(int entity) const {
-    return (details_.dimension == 2 ? "curve " : "surface ") + std::to_string(entity);
+    return std::string(entity_names[at(details_.dimension - 1)]) + ' ' + std::to_string(entity);
   }
   std::string fault(const PeriodicLink& link, const std::string& found,
                     const std::string& expected) const {

@@ -3,11 +3,14 @@
 #include "io/format/mesh_in_space.h"
 #include "io/format/periodicity.h"
 #include "io/gmsh/gmsh.h"
-#include "io/gmsh/gmsh_periodic.h"
+#include "io/gmsh/value_reader.h"
 #include "io/text/numbers.h"
 
 namespace winslow::io::gmsh {
 namespace {
+
+static_assert(std::endian::native == std::endian::little,
+              "binary MSH files are written as they lie in memory");
 
 /// Writes numbers as text, with blanks between, or as bytes: the counterpart of ValueReader.
 class ValueWriter {
@@ -96,7 +99,7 @@ class Writer {
         const bool moved = boxes[d][i] && boxes[d][i] != entity.mesh_box;
         const auto& box = moved ? *boxes[d][i] : entity.box;
         values_.integer(entity.tag);
-        for (std::size_t k = 0; k < (d == 0 ? 3U : 6U); ++k) values_.real(box[k]);
+        for (std::size_t k = 0; k < box_numbers[d]; ++k) values_.real(box[k]);
         write_tags(entity.physicals);
         if (d > 0) write_tags(entity.boundary);
         values_.end();
@@ -168,12 +171,10 @@ class Writer {
   }
 
   FileCorners nodes_of(const Item& item) const {
-    const auto i = static_cast<std::size_t>(item.index);
-    const int dimension = info_of(item.shape).dimension;
-    if (dimension == details_.dimension) return space_.element(item.index);
-    if (dimension == 0) return {{details_.points[i]}, 1};
-    FileCorners corners;
-    for (const Index node : details_.sides[i]) corners.nodes[corners.count++] = node;
+    const std::span<const Index> nodes = details_.nodes_beside(item);
+    if (nodes.empty()) return space_.element(item.index);
+    FileCorners corners{{}, nodes.size()};
+    std::ranges::copy(nodes, corners.nodes.begin());
     return corners;
   }
 
@@ -262,10 +263,11 @@ std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Format
                                const WriteOptions& options) {
   std::vector<std::string> warnings;
   const auto* details = dynamic_cast<const Details*>(source);
-  const bool kept =
-      details != nullptr && details->version_4 == options.version_4 && details->fits(mesh);
+  const bool newest = details == nullptr || details->version_4;
+  const bool version_4 = options.gmsh_version.empty() ? newest : options.gmsh_version == "4.1";
+  const bool kept = details != nullptr && details->version_4 == version_4 && details->fits(mesh);
   if (details != nullptr && !kept) {
-    warnings.emplace_back(details->version_4 == options.version_4
+    warnings.emplace_back(details->version_4 == version_4
                               ? "the mesh has changed: entities, tags and unknown sections of the "
                                 "source are not written"
                               : "another MSH version than the source's: entities, tags, points and "
@@ -287,7 +289,7 @@ std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Format
   if (kept) {
     Writer(out, mesh, *details, options.binary).write();
   } else {
-    Details made = make_details(mesh, options.version_4, warnings);
+    Details made = make_details(mesh, version_4, warnings);
     if (source != nullptr) {
       made.plane_z = source->plane_z;
       made.plane = source->plane;

@@ -20,28 +20,6 @@ std::span<const Kind> kinds() {
   return all;
 }
 
-const MeshFormat format{
-    .name = "mesh",
-    .title = "Medit",
-    .versions = "",
-    .encodings = "text",
-    .markers = "yes, tag, and name in a comment",
-    .regions = "yes, tag, and name in a comment",
-    .quadrilaterals = "yes",
-    .volumes = "yes",
-    .writes_surfaces = true,
-    .writes_volumes = true,
-    .keeps_markers = true,
-    .recognise =
-        [](const Content& content) {
-          return keyword_on_line(content, [](std::string_view line) {
-            return starts_with_word(line, "MeshVersionFormatted");
-          });
-        },
-    .read = read,
-    .write = [](std::ostream& out, const Mesh& mesh, const FormatDetails* details,
-                const WriteOptions&) { return write(out, mesh, details); }};
-
 namespace {
 
 using Part = Details::Section::Part;
@@ -97,12 +75,11 @@ class Reader {
     for (const Kind& kind : kinds()) {
       if (kind.dimension < 3) continue;
       const auto text = source_.text();
-      for (auto at = text.find(kind.keyword); at != std::string_view::npos;
-           at = text.find(kind.keyword, at + 1)) {
-        const auto newline = text.rfind('\n', at);
-        const std::size_t begin = newline == std::string_view::npos ? 0 : newline + 1;
-        if (!trimmed(text.substr(begin, at - begin)).empty()) continue;
-        Scanner scan(source_, at);
+      for (auto start = text.find(kind.keyword); start != std::string_view::npos;
+           start = text.find(kind.keyword, start + 1)) {
+        const std::size_t begin = line_begin(text, start);
+        if (!trimmed(text.substr(begin, start - begin)).empty()) continue;
+        Scanner scan(source_, start);
         scan.word();
         const auto count = parse_integer(scan.next_word());
         if (count && *count > 0) details_->cell_dimension = 3;
@@ -111,32 +88,29 @@ class Reader {
   }
 
   std::int64_t integer(const Expected& expected) {
-    const auto word = next_word();
-    const auto value = parse_integer(word);
-    if (!value) scan_.fail(word, expected);
+    word_ = next_word();
+    const auto value = parse_integer(word_);
+    if (!value) scan_.fail(word_, expected);
     return *value;
   }
   int reference(const Expected& expected) {
-    const auto word = next_word();
-    const auto value = parse_integer(word);
-    if (!value || *value != static_cast<int>(*value)) scan_.fail(word, expected);
-    return static_cast<int>(*value);
+    const std::int64_t value = integer(expected);
+    if (value != static_cast<int>(value)) scan_.fail(word_, expected);
+    return static_cast<int>(value);
   }
   Index count(const Expected& expected, std::size_t bytes_each) {
-    const auto word = next_word();
-    const auto value = parse_integer(word);
-    if (!value) scan_.fail(word, expected);
-    return checked_count(source_, source_.offset_of(word), *value, bytes_each, scan_.bytes_left(),
+    const std::int64_t value = integer(expected);
+    return checked_count(source_, source_.offset_of(word_), value, bytes_each, scan_.bytes_left(),
                          expected);
   }
 
   void read_version() {
     const auto word = next_word();
     if (word != "MeshVersionFormatted") scan_.fail(word, "MeshVersionFormatted");
-    const std::size_t at = scan_.offset();
+    const std::size_t start = scan_.offset();
     const std::int64_t version = integer({"the version: 1, 2, 3 or 4"});
     if (version < 1 || version > 4)
-      source_.fail(at, std::to_string(version) + " as version", "1, 2, 3 or 4");
+      source_.fail(start, std::to_string(version) + " as version", "1, 2, 3 or 4");
     details_->version = static_cast<int>(version);
   }
 
@@ -168,17 +142,14 @@ class Reader {
     if (!has_section(Part::dimension)) scan_.fail(word, "Dimension before it");
     const Index n = count({"the number of vertices"}, 6);
     for (Index i = 0; i < n; ++i) {
-      for (int k = 0; k < 3; ++k) {
-        if (k == 2 && details_->dimension == 2) {
-          xyz_.push_back(0);
-          continue;
-        }
+      for (int k = 0; k < details_->dimension; ++k) {
         const auto number = next_word();
         const auto value = parse_number(number);
         if (!value) scan_.fail(number, Expected{"a coordinate of vertex", i, n});
         if (k == 0) mesh_.where.nodes.push_back(source_.offset_of(number));
         xyz_.push_back(*value);
       }
+      xyz_.resize(3 * at(i + 1));  // z is 0 where the file has none
       details_->vertex_references.push_back(reference({"the reference of vertex", i, n}));
     }
     details_->sections.push_back({Part::vertices, {}});
@@ -210,7 +181,7 @@ class Reader {
         details_->side_references.push_back(ref);
       }
     }
-    details_->sections.push_back({Part::cells, {}, &kind, first, n});
+    details_->sections.push_back({Part::cells, {}, &kind, element, first, n});
   }
 
   /// Vertices count from 1; they may follow later.
@@ -256,16 +227,13 @@ class Reader {
     set_nodes(source_, xyz_, mesh_);
     collect_groups();
     if (!unknown_.empty()) mesh_.warnings.push_back(unknown_ + " of the file are kept as they are");
-    details_->nodes = mesh_.data.node_count();
-    details_->elements = mesh_.data.element_count();
   }
 
   void collect_groups() {
     Index loose = 0;
     for (std::size_t s = 0; s < details_->sides.size(); ++s) {
       const int ref = details_->side_references[s];
-      const bool of_boundary = (details_->sides[s].size() == 2) == (details_->cell_dimension == 2);
-      if (!of_boundary) continue;
+      if (!is_side(details_->sides[s], details_->cell_dimension)) continue;
       if (ref == 0) {
         ++loose;
         continue;
@@ -293,14 +261,11 @@ class Reader {
   std::set<std::string> keywords_;
   GroupIndex markers_{"marker_"}, regions_{"region_"};
   std::string unknown_;
-  std::size_t last_ = 0;  // offset of the vertex number read last
+  std::string_view word_;  // that integer() has read
+  std::size_t last_ = 0;   // offset of the vertex number read last
 };
 
-}  // namespace
-
 ParsedMesh read(Source& source) { return Reader(source).read(); }
-
-namespace {
 
 /// The elements of the mesh in the order in which they are written.
 using Order = std::vector<Index>;
@@ -345,17 +310,15 @@ class Writer {
     const auto& references = details_.vertex_references;
     for (Index i = 0; i < mesh_.coordinates.size(); ++i) {
       const Vec3 p = space_.node(i);
-      out_ << p.x() << ' ' << p.y() << ' ';
-      if (details_.dimension == 3) out_ << p.z() << ' ';
+      for (int k = 0; k < details_.dimension; ++k) out_ << p[k] << ' ';
       out_ << (references.empty() ? 0 : references[at(i)]) << '\n';
     }
   }
 
   void write_cells(const Details::Section& section) {
     out_ << section.kind->keyword << '\n' << section.count << '\n';
-    const bool element = section.kind->dimension == details_.cell_dimension;
     for (Index k = section.first; k < section.first + section.count; ++k) {
-      if (element) {
+      if (section.elements) {
         const Index e = order_.empty() ? k : order_[at(k)];
         for (const Index node : space_.element(e)) out_ << node + 1 << ' ';
         out_ << details_.element_references[at(e)] << '\n';
@@ -399,7 +362,7 @@ void add_sides(const Markers& markers, const std::vector<int>& tags, const Kind&
     }
   }
   const auto count = static_cast<Index>(details.sides.size()) - first;
-  if (count > 0) details.sections.push_back({Part::cells, {}, &kind, first, count});
+  if (count > 0) details.sections.push_back({Part::cells, {}, &kind, false, first, count});
 }
 
 void add_elements(const Topology& topology, const Kind& kind, Prepared& made) {
@@ -408,26 +371,20 @@ void add_elements(const Topology& topology, const Kind& kind, Prepared& made) {
     if (topology.element_type(e) == *kind.type) made.order.push_back(e);
   }
   const auto count = static_cast<Index>(made.order.size()) - first;
-  if (count > 0) made.details.sections.push_back({Part::cells, {}, &kind, first, count});
+  if (count > 0) made.details.sections.push_back({Part::cells, {}, &kind, true, first, count});
 }
 
 /// Comments that hold names: they end with their line.
-std::string name_lines(const char* what, std::span<const std::string> names,
+template <class Group>
+std::string name_lines(const char* what, const std::vector<Group>& groups,
                        const std::vector<int>& tags) {
   std::string lines;
   for (std::size_t k = 0; k < tags.size(); ++k) {
-    std::string name = names[k];
+    std::string name = groups[k].name;
     for (char& c : name) c = static_cast<unsigned char>(c) < ' ' ? '_' : c;
     lines += std::string("# ") + what + ' ' + std::to_string(tags[k]) + ' ' + name + '\n';
   }
   return lines;
-}
-
-template <class Group>
-std::vector<std::string> names_of(const std::vector<Group>& groups) {
-  std::vector<std::string> names;
-  for (const Group& group : groups) names.push_back(group.name);
-  return names;
 }
 
 Prepared prepare(const Mesh& mesh, const FormatDetails* source, const std::vector<int>& marker_tags,
@@ -436,12 +393,11 @@ Prepared prepare(const Mesh& mesh, const FormatDetails* source, const std::vecto
   Prepared made;
   Details& details = made.details;
   details.cell_dimension = topology.cell_dimension();
-  const bool in_space = source != nullptr && (source->plane || !source->plane_z.empty());
-  details.dimension = topology.space_dimension() == 3 || in_space ? 3 : 2;
+  details.dimension = coordinates_in_file(mesh, source);
   details.element_references = element_references(topology, region_tags);
   details.sections = {{Part::dimension, {}}};
-  const std::string names = name_lines("marker", names_of(topology.markers().list()), marker_tags) +
-                            name_lines("region", names_of(topology.regions()), region_tags);
+  const std::string names = name_lines("marker", topology.markers().list(), marker_tags) +
+                            name_lines("region", topology.regions(), region_tags);
   if (!names.empty()) details.sections.push_back({Part::raw, names});
   details.sections.push_back({Part::vertices, {}});
   for (const Kind& kind : kinds()) {
@@ -452,9 +408,8 @@ Prepared prepare(const Mesh& mesh, const FormatDetails* source, const std::vecto
   return made;
 }
 
-}  // namespace
-
-std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source) {
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
+                               const WriteOptions&) {
   std::vector<std::string> warnings;
   const auto* own = dynamic_cast<const Details*>(source);
   if (own != nullptr && own->fits(mesh)) {
@@ -475,5 +430,20 @@ std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Format
   Writer(out, mesh, made.details, source, made.order).write();
   return warnings;
 }
+
+}  // namespace
+
+const MeshFormat format{.name = "mesh",
+                        .title = "Medit",
+                        .markers = "yes, tag, and name in a comment",
+                        .regions = "yes, tag, and name in a comment",
+                        .recognise =
+                            [](const Content& content) {
+                              return keyword_on_line(content, [](std::string_view line) {
+                                return starts_with_word(line, "MeshVersionFormatted");
+                              });
+                            },
+                        .read = read,
+                        .write = write};
 
 }  // namespace winslow::io::medit

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/format/groups.h"
 #include "io/format/mesh_format.h"
+#include "io/format/parsed_mesh.h"
 
 /// Medit's ASCII format (.mesh): P. Frey, "Medit: an interactive mesh visualization software",
 /// INRIA RT-0253 (2001), with the pyramids and prisms of libMeshb. Every entry ends in a reference:
@@ -26,7 +26,8 @@ struct Details : BoundaryDetails {
     enum class Part { raw, dimension, vertices, cells } part;
     std::string raw;             ///< bytes as they are: names, and what we do not know
     const Kind* kind = nullptr;  ///< of cells
-    Index first = 0, count = 0;  ///< of the sides, or of the elements of the mesh
+    bool elements = false;       ///< those of the mesh; else sides
+    Index first = 0, count = 0;  ///< among these
   };
   int version = 2;    ///< 1 is single precision to other programs
   int dimension = 3;  ///< of the coordinates
@@ -36,8 +37,5 @@ struct Details : BoundaryDetails {
 };
 
 extern const MeshFormat format;
-
-ParsedMesh read(Source& source);
-std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* details);
 
 }  // namespace winslow::io::medit

@@ -36,27 +36,14 @@ fs::path find_folder(const fs::path& path) {
 
 }  // namespace
 
-bool Details::fits(const Mesh& mesh) const {
-  const Topology& topology = *mesh.topology;
-  if (nodes != topology.node_count() || elements != topology.element_count()) return false;
-  if (!topology.markers().from_file()) return markers.empty();
-  return std::ranges::equal(
-      topology.markers().list(), markers,
-      [](const Marker& a, const Marker& b) { return a.name == b.name && a.faces == b.faces; });
-}
-
 const MeshFormat format{.name = "foam",
                         .title = "OpenFOAM",
                         .versions = "the folder polyMesh",
-                        .encodings = "text",
                         .markers = "yes, by name (patches)",
                         .regions = "no",
                         .quadrilaterals = "no plane meshes",
-                        .volumes = "yes",
                         .folder_name = "polyMesh",
-                        .writes_planes = false,
-                        .writes_volumes = true,
-                        .keeps_markers = true,
+                        .writes = {false, false, true},
                         .recognise = [](const Content&) { return Evidence{}; },
                         .read = read,
                         .find_folder = find_folder,

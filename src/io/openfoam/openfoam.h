@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/format/mesh_format.h"
+#include "io/format/parsed_mesh.h"
 
 /// Meshes of OpenFOAM: the folder constant/polyMesh of a case, with the files points, faces, owner,
 /// neighbour and boundary; OpenFOAM User Guide, "Mesh description". ASCII, each file compressed or
@@ -13,15 +14,10 @@ constexpr std::array<const char*, 5> file_names{"points", "faces", "owner", "nei
                                                 "boundary"};
 
 /// What a mesh says beyond ours: its files, which stay as they are while nodes only move.
-struct Details : FormatDetails {
+struct Details : MarkerDetails {
   std::array<std::string, 5> texts;  ///< of points only what is around the list
   std::string points_end;
   bool compressed = false;
-  Index nodes = 0;  ///< sizes of the mesh that the details belong to
-  Index elements = 0;
-  std::vector<Marker> markers;
-
-  bool fits(const Mesh& mesh) const;
 };
 
 extern const MeshFormat format;

@@ -4,17 +4,128 @@
 #include "core/error.h"
 #include "core/mesh/element_type.h"
 #include "core/types.h"
-#include "io/openfoam/foam_scanner.h"
 #include "io/openfoam/openfoam.h"
+#include "io/text/numbers.h"
+#include "io/text/source.h"
 
 namespace winslow::io::openfoam {
+namespace {
+
+/// The words of one file of OpenFOAM: comments are skipped, and each of ( ) { } ; [ ] is a word.
+class FoamScanner {
+ public:
+  FoamScanner(const Source& source, Source::Range range)
+      : source_(source), scan_(source, range.begin, range.end), range_(range) {}
+
+  /// Offset of the next word.
+  std::size_t offset() {
+    skip();
+    return scan_.offset();
+  }
+
+  /// Behind the last word.
+  std::size_t position() const { return scan_.offset(); }
+  std::size_t bytes_left() const { return scan_.bytes_left(); }
+  /// Empty at the end of the file.
+  std::string_view next() {
+    skip();
+    const auto text = source_.text().substr(0, range_.end);
+    const std::size_t begin = std::min(scan_.offset(), text.size());
+    std::size_t end = begin;
+    if (begin < text.size() && text[begin] == '"') {
+      end = std::min(text.find('"', begin + 1), text.size() - 1) + 1;
+    } else if (begin < text.size() &&
+               std::string_view("(){};[]").find(text[begin]) != std::string_view::npos) {
+      end = begin + 1;
+    } else {
+      end = std::min(text.find_first_of("(){};[] \t\r\n\v\f", begin), text.size());
+    }
+    scan_.seek(end);
+    return text.substr(begin, end - begin);
+  }
+
+  std::string_view peek() {
+    const std::size_t here = offset();
+    const auto word = next();
+    scan_.seek(here);
+    return word;
+  }
+
+  /// Throws InputError for another word.
+  void expect(std::string_view word) {
+    const auto found = next();
+    if (found != word) fail(found, "'" + std::string(word) + "'");
+  }
+
+  std::int64_t integer(const Expected& expected) {
+    const auto word = next();
+    const auto value = parse_integer(word);
+    if (!value) fail(word, expected.text());
+    return *value;
+  }
+
+  double number(const Expected& expected) {
+    const auto word = next();
+    const auto value = parse_number(word);
+    if (!value) fail(word, expected.text());
+    return *value;
+  }
+
+  /// The length of a list, whose entries take at least so many bytes each.
+  Index count(const Expected& expected, std::size_t bytes_each) {
+    const std::size_t start = offset();
+    return checked_count(source_, start, integer(expected), bytes_each, bytes_left(), expected);
+  }
+
+  [[noreturn]] void fail(std::string_view word, const std::string& expected) const {
+    scan_.fail(word, expected);
+  }
+
+ private:
+  void skip() {
+    const auto text = source_.text().substr(0, range_.end);
+    for (;;) {
+      scan_.skip_space();
+      const auto rest = text.substr(std::min(scan_.offset(), text.size()));
+      if (rest.starts_with("//")) {
+        scan_.line();
+      } else if (rest.starts_with("/*")) {
+        const auto end = text.find("*/", scan_.offset() + 2);
+        if (end == std::string_view::npos)
+          source_.fail(scan_.offset(), "a comment without end", "*/");
+        scan_.seek(end + 2);
+      } else {
+        return;
+      }
+    }
+  }
+
+  const Source& source_;
+  Scanner scan_;
+  Source::Range range_;
+};
+
+/// Reads the entry FoamFile, if there is one. Throws InputError for binary files.
+void read_foam_header(FoamScanner& scan) {
+  if (scan.peek() != "FoamFile") return;
+  scan.next();
+  scan.expect("{");
+  for (auto key = scan.next(); key != "}"; key = scan.next()) {
+    if (key.empty()) scan.fail(key, "'}'");
+    const auto value = scan.peek();
+    if (key == "format" && value != "ascii")
+      scan.fail(value, "ascii (foamFormatConvert writes it)");
+    if (key == "class" && value == "faceCompactList") scan.fail(value, "faceList");
+    for (auto word = scan.next(); word != ";"; word = scan.next()) {
+      if (word.empty()) scan.fail(word, "';'");
+    }
+  }
+}
 
 struct Cell {
   ElementType type;
   std::vector<Index> corners;
 };
-
-namespace {
 
 std::optional<ElementType> type_of(std::span<const Face> faces) {
   const auto triangles =
@@ -101,8 +212,6 @@ class Reader {
     if (mesh_.data.types.empty()) source_.fail(ranges_[2].begin, "no cells", "a mesh");
     set_space_nodes(source_, xyz, mesh_);
     read_patches();
-    details_->nodes = mesh_.data.node_count();
-    details_->elements = mesh_.data.element_count();
     details_->markers = mesh_.data.markers;
     return std::move(mesh_);
   }

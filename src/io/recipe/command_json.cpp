@@ -5,9 +5,8 @@
 #include "core/layers/layer_plan.h"
 #include "core/motion/motion.h"
 #include "io/recipe/object_archive.h"
-#include "io/recipe/option_fields.h"
 #include "io/recipe/recipe.h"
-#include "io/tables/displacement_file.h"
+#include "io/tables/table_files.h"
 
 namespace winslow::io {
 
@@ -41,7 +40,7 @@ LayerWall read_wall(const json& value, const std::string& path) {
   LayerWall wall;
   reader.required("markers", wall.markers);
   read_options(reader, option_table(wall.spacing));
-  if (reader.has("part")) wall.part = read_part(reader.at("part"), reader.path_of("part"));
+  if (reader.has("part")) wall.part = read_part(reader.needed("part"), reader.path_of("part"));
   reader.finish();
   return wall;
 }
@@ -94,12 +93,12 @@ json write_overrides(const std::vector<ColumnOverride>& overrides) {
 /// Walls and overrides of layers. Reading checks all the options, of which the table has been read
 /// before. Throws JsonValueError.
 void read_layer_lists(ObjectReader& reader, LayerOptions& layers) {
-  layers.walls = read_list<LayerWall>(reader.at("walls"), reader.path_of("walls"), read_wall);
+  layers.walls = read_list<LayerWall>(reader.needed("walls"), reader.path_of("walls"), read_wall);
   if (layers.walls.empty()) {
     throw JsonValueError(reader.path_of("walls"), "expected a list of walls");
   }
   if (reader.has("overrides")) {
-    layers.overrides = read_list<ColumnOverride>(reader.at("overrides"),
+    layers.overrides = read_list<ColumnOverride>(reader.needed("overrides"),
                                                  reader.path_of("overrides"), read_override);
   }
   try {
@@ -152,9 +151,9 @@ DisplacementEntry read_entry(const json& value, const std::string& path) {
   if (reader.has("node")) {
     reader.required("node", entry.node.emplace());
   } else {
-    entry.position = read_vector(reader.at("position"), reader.path_of("position"));
+    entry.position = read_vector(reader.needed("position"), reader.path_of("position"));
   }
-  entry.displacement = read_vector(reader.at("displacement"), reader.path_of("displacement"));
+  entry.displacement = read_vector(reader.needed("displacement"), reader.path_of("displacement"));
   reader.field("line", entry.line);
   reader.finish();
   return entry;
@@ -171,7 +170,7 @@ DisplacementTable read_table(const json& value, const std::string& path,
     return read_displacements(folder / file);
   }
   DisplacementTable table;
-  const json& entries = reader.at("entries");
+  const json& entries = reader.needed("entries");
   const std::string entries_path = reader.path_of("entries");
   if (!entries.is_array()) throw JsonValueError(entries_path, "expected a list");
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -211,7 +210,7 @@ VcvEdit read_vcv_edit(const json& value, const std::string& path) {
 // What commands hold beyond their tables.
 
 void read_beyond(ObjectReader& reader, EditVcvCommand& command, const std::filesystem::path&) {
-  const json& nodes = reader.at("nodes");
+  const json& nodes = reader.needed("nodes");
   const std::string path = reader.path_of("nodes");
   if (!nodes.is_array() || nodes.empty()) throw JsonValueError(path, "expected a list of nodes");
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -257,7 +256,7 @@ void read_beyond(ObjectReader& reader, DeformCommand& command,
     command.shape = sine;
   } else {
     const std::string path = reader.path_of("displacements");
-    command.shape = read_table(reader.at("displacements"), path, folder);
+    command.shape = read_table(reader.needed("displacements"), path, folder);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/command/command.h"
 #include "core/error.h"
+#include "core/options/option.h"
 
 namespace winslow::io {
 
@@ -52,7 +53,7 @@ class ObjectReader {
   /// A field that must be there.
   template <class Value>
   void required(const char* key, Value& value) {
-    read(at(key), path_of(key), value);
+    read(needed(key), path_of(key), value);
   }
   /// An object within; `fields` is called with a reader of it.
   template <class Fields>
@@ -70,7 +71,7 @@ class ObjectReader {
   /// The raw value, null if it is missing; finish() knows its key from then on.
   const nlohmann::json* find(const char* key);
   /// The raw value; throws JsonValueError if it is missing.
-  const nlohmann::json& at(const char* key);
+  const nlohmann::json& needed(const char* key);
   std::string path_of(const char* key) const;
   const std::string& path() const { return path_; }
 
@@ -121,5 +122,16 @@ class ObjectWriter {
  private:
   nlohmann::json json_ = nlohmann::json::object();
 };
+
+/// A vector of two numbers or of three. Throws JsonValueError.
+GivenVector read_vector(const nlohmann::json& value, const std::string& path);
+/// As many numbers as it was given by; `otherwise` of them if the program found it.
+nlohmann::json vector_json(const GivenVector& vector, int otherwise = 3);
+
+/// Reads the options of a table from the keys that it says; what is not there stays as it is, but
+/// for what is required. Throws JsonValueError for values of the wrong type or out of range.
+void read_options(ObjectReader& reader, const OptionTable& table);
+/// Writes all of them. What is not set is left out.
+void write_options(ObjectWriter& writer, const OptionTable& table);
 
 }  // namespace winslow::io

@@ -27,7 +27,7 @@ Recipe parse_recipe(const json& document, const std::filesystem::path& folder) {
   reader.field("output", recipe.output);
   reader.field("zone", recipe.zone);
   if (recipe.zone < 0) throw JsonValueError("zone", "expected the number of a zone");
-  const json& commands = reader.at("commands");
+  const json& commands = reader.needed("commands");
   if (!commands.is_array()) throw JsonValueError("commands", "expected a list of commands");
   for (std::size_t i = 0; i < commands.size(); ++i) {
     recipe.commands.push_back(

@@ -3,9 +3,16 @@
 namespace winslow::io::su2 {
 namespace {
 
-constexpr std::int64_t line = 3;
 /// By ElementType.
 constexpr std::array<std::int64_t, 6> numbers{5, 9, 10, 14, 13, 12};
+
+/// The elements that a face of a mesh can be.
+struct FaceElement {
+  std::int64_t number;
+  std::size_t corners;
+  int dimension;
+};
+constexpr std::array<FaceElement, 3> face_elements{{{3, 2, 1}, {5, 3, 2}, {9, 4, 2}}};
 
 std::optional<ElementType> any_element_of(std::int64_t number) {
   for (const ElementType type : all_element_types) {
@@ -23,20 +30,18 @@ std::optional<ElementType> element_of(std::int64_t number, int dimension) {
   return type && dimension_of(*type) == dimension ? type : std::nullopt;
 }
 
-std::int64_t face_number(std::size_t corners) {
-  if (corners == 2) return line;
-  return element_number(corners == 3 ? ElementType::triangle : ElementType::quadrilateral);
-}
+std::int64_t face_number(std::size_t corners) { return face_elements[corners - 2].number; }
 
 std::size_t face_corners(std::int64_t number, int dimension) {
-  if (dimension == 2) return number == line ? 2 : 0;
-  const auto type = element_of(number, 2);
-  return type ? static_cast<std::size_t>(corner_count(*type)) : 0;
+  for (const FaceElement& face : face_elements)
+    if (face.number == number && face.dimension + 1 == dimension) return face.corners;
+  return 0;
 }
 
 std::string element_list(int dimension) {
-  return dimension == 2 ? "5 (triangle) or 9 (quadrilateral)"
-                        : "10 (tetrahedron), 12 (hexahedron), 13 (prism) or 14 (pyramid)";
+  constexpr std::array lists{"", "3 (line)", "5 (triangle) or 9 (quadrilateral)",
+                             "10 (tetrahedron), 12 (hexahedron), 13 (prism) or 14 (pyramid)"};
+  return lists[at(dimension)];
 }
 
 std::string type_hint(std::int64_t number, const Dimensions& of, bool of_marker) {
@@ -70,22 +75,12 @@ bool is_keyword(std::string_view line) {
 const MeshFormat format{
     .name = "su2",
     .title = "SU2",
-    .versions = "",
-    .encodings = "text",
     .markers = "yes, by name",
     .regions = "no",
-    .quadrilaterals = "yes",
-    .volumes = "yes",
-    .writes_surfaces = true,
-    .writes_volumes = true,
-    .keeps_markers = true,
     .keeps_periodic = true,
     .recognise = [](const Content& content) { return keyword_on_line(content, is_keyword); },
-    .read = [](Source& source) { return read_zone(source, 0); },
     .read_zone = read_zone,
-    .write = [](std::ostream& out, const Mesh& mesh, const FormatDetails* details,
-                const WriteOptions&) { return write(out, mesh, details); },
-    .write_zones = [](std::ostream& out, std::span<const MeshZone> zones,
-                      const WriteOptions&) { return write_zones(out, zones); }};
+    .write = write,
+    .write_zones = write_zones};
 
 }  // namespace winslow::io::su2

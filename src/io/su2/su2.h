@@ -32,10 +32,8 @@ struct Details : FormatDetails {
   /// What follows the coordinates in the line of each point, where that is more than the
   /// point's number (a third coordinate of a plane mesh, two numbers); else empty.
   std::vector<std::string> point_tails;
-  int raw_markers = 0;  ///< markers kept as text (SEND_RECEIVE)
-  Index nodes = 0;      ///< sizes of the mesh that the details belong to
-  Index elements = 0;
-  std::size_t markers = 0;
+  int raw_markers = 0;      ///< markers kept as text (SEND_RECEIVE)
+  std::size_t markers = 0;  ///< of the mesh that was read
   /// Of a file of several zones: what stands before the first one, then each zone as it is.
   std::shared_ptr<const std::vector<std::string>> blocks;
   std::size_t block = 0;             ///< the zone's place in `blocks`
@@ -52,9 +50,11 @@ ParsedMesh read_zone(Source& source, int zone);
 /// plane mesh has NDIME= 2, unless it came from an SU2 file with NDIME= 3. Of a file of several
 /// zones the one of the details is written, as a file of its own.
 /// source: details of the file that the mesh came from, of this format or of another; may be null.
-std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source);
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
+                               const WriteOptions& options);
 /// Zones of one file; those that are not among them are written as they were.
-std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones);
+std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones,
+                                     const WriteOptions& options);
 
 /// Of a zone: 2 and 2 of a plane mesh, 3 and 3 of a volume mesh, space 3 and cells 2 of a surface
 /// mesh.
@@ -72,7 +72,7 @@ std::int64_t face_number(std::size_t corners);
 /// Number of corners of such a face of elements of that dimension; 0: it cannot be one.
 std::size_t face_corners(std::int64_t number, int dimension);
 
-/// "5 (triangle) or 9 (quadrilateral)": what elements of that dimension are.
+/// "5 (triangle) or 9 (quadrilateral)": what elements of that dimension, from 1 on, are.
 std::string element_list(int dimension);
 /// " (second order)" and the like: why an element type is none of the elements, or of the elements
 /// of markers, of a mesh of those dimensions; may be empty.

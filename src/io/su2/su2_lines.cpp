@@ -1,6 +1,5 @@
 #include "io/su2/su2_lines.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "core/error.h"
@@ -40,33 +39,29 @@ Line LineReader::next_data(const Expected& expected) {
   scan_.fail(source_.text().substr(end_, 0), expected);
 }
 
-namespace {
-
-struct Keyword {
-  std::size_t line_begin;
-  std::string_view value;
-};
-
-/// Lines that begin with this keyword. Looks for the keyword instead of reading every line: meshes
-/// are large, and most have one zone.
-std::vector<Keyword> lines_of(const Source& source, std::string_view key) {
-  std::vector<Keyword> found;
-  const auto text = source.text();
-  for (auto at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
-    const auto newline = text.rfind('\n', at);
-    const std::size_t begin = newline == std::string_view::npos ? 0 : newline + 1;
-    const Line line = LineReader(source, begin, text.size()).next();
-    const bool seen = !found.empty() && found.back().line_begin == begin;  // again in a comment
-    if (line.key == key && !seen) found.push_back({begin, line.value});
+std::vector<Line> lines_with(const Source& source, std::size_t begin, std::size_t end,
+                             std::string_view key, std::size_t most) {
+  std::vector<Line> found;
+  const auto text = source.text().substr(0, end);
+  for (auto start = text.find(key, begin); start != std::string_view::npos && found.size() < most;
+       start = text.find(key, start + 1)) {
+    const Line line = LineReader(source, line_begin(text, start), end).next();
+    const bool seen = !found.empty() && found.back().offset == line.offset;  // again in a comment
+    if (line.key == key && !seen) found.push_back(line);
   }
   return found;
 }
 
-int positive(const Source& source, const Keyword& line, const char* key) {
+namespace {
+
+std::vector<Line> lines_of(const Source& source, std::string_view key) {
+  return lines_with(source, 0, source.text().size(), key);
+}
+
+int positive(const Source& source, const Line& line, const char* key) {
   const auto value = parse_integer(line.value);
   if (!value || *value < 1 || *value > std::numeric_limits<int>::max()) {
-    source.fail(line.line_begin, std::string(key) + "= " + in_quotes(line.value),
-                "a number from 1");
+    source.fail(line.offset, std::string(key) + "= " + in_quotes(line.value), "a number from 1");
   }
   return static_cast<int>(*value);
 }
@@ -93,7 +88,7 @@ ZoneList find_zones(const Source& source) {
   const std::size_t end = source.text().size();
   const int declared =
       counts.empty() ? static_cast<int>(starts.size()) : positive(source, counts[0], "NZONE");
-  if (counts.size() > 1) source.fail(counts[1].line_begin, "a second NZONE=", "one only");
+  if (counts.size() > 1) source.fail(counts[1].offset, "a second NZONE=", "one only");
   ZoneList list;
   if (declared <= 1 && starts.size() <= 1) {
     list.zones.push_back({starts.empty() ? 1 : positive(source, starts[0], "IZONE"), 0, end});
@@ -101,18 +96,18 @@ ZoneList find_zones(const Source& source) {
   }
   list.several = true;
   if (starts.size() != static_cast<std::size_t>(declared)) {
-    source.fail(counts[0].line_begin, std::to_string(starts.size()) + " IZONE= in the file",
+    source.fail(counts[0].offset, std::to_string(starts.size()) + " IZONE= in the file",
                 std::to_string(declared) + " as NZONE= says");
   }
   for (std::size_t i = 0; i < starts.size(); ++i) {
     const int number = positive(source, starts[i], "IZONE");
     for (const auto& zone : list.zones) {
       if (zone.number == number) {
-        source.fail(starts[i].line_begin, "a second zone " + std::to_string(number), "one only");
+        source.fail(starts[i].offset, "a second zone " + std::to_string(number), "one only");
       }
     }
     list.zones.push_back(
-        {number, starts[i].line_begin, i + 1 < starts.size() ? starts[i + 1].line_begin : end});
+        {number, starts[i].offset, i + 1 < starts.size() ? starts[i + 1].offset : end});
   }
   return list;
 }
@@ -122,14 +117,9 @@ std::size_t choose_zone(const ZoneList& list, int number, const std::string& fil
   for (std::size_t i = 0; i < list.zones.size(); ++i) {
     if (list.zones[i].number == number) return i;
   }
-  throw UsageError(file + ": no zone " + std::to_string(number) + " in the file, expected one of " +
-                   listed(list.numbers()));
-}
-
-std::string listed(const std::vector<int>& numbers) {
-  std::string text;
-  for (const int number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
-  return text;
+  throw UsageError(
+      file + ": no zone " + std::to_string(number) + " in the file, expected one of " +
+      list_of(list.zones, [](const auto& zone) { return std::to_string(zone.number); }));
 }
 
 }  // namespace winslow::io::su2

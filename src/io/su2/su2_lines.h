@@ -55,6 +55,11 @@ class LineReader {
   std::size_t end_;
 };
 
+/// The first lines "KEY=" in a part of a file. Looks for the keyword instead of reading every line:
+/// meshes are large, and most have one zone.
+std::vector<Line> lines_with(const Source& source, std::size_t begin, std::size_t end,
+                             std::string_view key, std::size_t most = std::string::npos);
+
 /// The zones of a file (NZONE=, IZONE=), each from its IZONE= line to the next one's.
 struct ZoneList {
   struct Zone {
@@ -74,8 +79,5 @@ ZoneList find_zones(const Source& source);
 
 /// Place of a zone in the list; 0: the first. Throws UsageError if there is none of that number.
 std::size_t choose_zone(const ZoneList& list, int number, const std::string& file);
-
-/// "1, 2, 4".
-std::string listed(const std::vector<int>& numbers);
 
 }  // namespace winslow::io::su2

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <map>
-
 #include "io/format/parsed_mesh.h"
 #include "io/su2/su2_lines.h"
 

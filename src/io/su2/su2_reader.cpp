@@ -4,7 +4,6 @@
 #include "io/su2/su2.h"
 #include "io/su2/su2_lines.h"
 #include "io/su2/su2_periodic.h"
-#include "io/su2/su2_points.h"
 #include "io/text/numbers.h"
 
 namespace winslow::io::su2 {
@@ -12,6 +11,113 @@ namespace {
 
 constexpr std::string_view keywords =
     "a keyword: NDIME=, NELEM=, NPOIN=, NMARK=, MARKER_TAG= or MARKER_ELEMS=";
+
+/// What the ends of the lines of all points have in common.
+class Tails {
+ public:
+  explicit Tails(Index count) { views_.reserve(static_cast<std::size_t>(count)); }
+
+  /// `last`: the word taken for the last coordinate of point i; `tail`: what follows it.
+  void add(Index i, std::string_view last, std::string_view tail) {
+    views_.push_back(tail);
+    const auto number = parse_integer(tail);
+    if (tail.empty()) {
+      ++bare_;
+      if (parse_integer(last) == i) {
+        ++short_;
+        if (first_short_.data() == nullptr) first_short_ = tail;
+      }
+    } else if (number == i) {
+      ++numbered_;
+    } else {
+      renumbered_ = renumbered_ || number.has_value();
+    }
+  }
+
+  /// A line "x number" lacks a coordinate: what is taken for its last one is the number of the
+  /// point, while other lines have a number behind it. Where no line has, and every last coordinate
+  /// is the point's number, all lack one; up to three points may lie like that.
+  std::optional<std::string_view> first_short() const {
+    constexpr std::size_t may_be_chance = 3;
+    const bool every = short_ == views_.size() && short_ > may_be_chance;
+    if (short_ > 0 && (bare_ < views_.size() || every)) return first_short_;
+    return std::nullopt;
+  }
+
+  bool renumbered() const { return renumbered_; }
+
+  void keep(Details& details) const {
+    details.point_numbers = numbered_ > 0;
+    if (bare_ == views_.size() || numbered_ == views_.size()) return;
+    details.point_tails.assign(views_.begin(), views_.end());
+  }
+
+ private:
+  std::vector<std::string_view> views_;
+  std::size_t bare_ = 0, numbered_ = 0, short_ = 0;
+  std::string_view first_short_;
+  bool renumbered_ = false;
+};
+
+/// Reads the lines of NPOIN=: x, y, of dimension 3 z, one after the other into `values`, #points by
+/// dimension, and whatever follows, which as in SU2 means nothing. Adds the places of the lines.
+/// Returns true if single numbers at the ends of lines do not count from 0.
+bool read_points(LineReader& lines, int dimension, std::span<double> values,
+                 std::vector<std::size_t>& places, Details& details) {
+  static constexpr std::array names{"point", "y of point", "z of point"};
+  static constexpr std::array numerals{"no", "one", "two", "three"};
+  const auto count = static_cast<Index>(values.size() / static_cast<std::size_t>(dimension));
+  std::size_t start = 0;
+  places.reserve(static_cast<std::size_t>(count));
+  Tails tails(count);
+  for (Index i = 0; i < count; ++i) {
+    const Expected expected{"point", i, count};
+    const Line line = lines.next_data(expected);
+    places.push_back(lines.source().offset_of(line.text));
+    LineWords words(line.text);
+    std::string_view word;
+    for (int k = 0; k < dimension; ++k) {
+      word = words.next();
+      const auto value = parse_number(word);
+      if (!value) lines.fail(word, Expected{names[static_cast<std::size_t>(k)], i, count}.text());
+      values[start++] = *value;
+    }
+    tails.add(i, word, words.rest());
+  }
+  if (const auto tail = tails.first_short()) {
+    lines.fail(*tail, std::string(numerals[at(dimension)]) +
+                          " coordinates before the number of the point");
+  }
+  tails.keep(details);
+  return tails.renumbered();
+}
+
+/// Nodes of this mesh that a free-form deformation box of the file lists (FFD_SURFACE_POINTS=), by
+/// marker and number, with where they lie. The box may stand in another zone's part of the file.
+std::vector<BoxPoint> box_points(const Source& source, const ParsedMesh& mesh) {
+  constexpr std::string_view key = "FFD_SURFACE_POINTS";
+  std::vector<BoxPoint> points;
+  std::set<std::string_view> markers;
+  for (const Marker& marker : mesh.data.markers) markers.insert(marker.name);
+  const auto text = source.text();
+  for (auto start = text.find(key); start != std::string_view::npos;
+       start = text.find(key, start + 1)) {
+    LineReader lines(source, start, text.size());
+    lines.next();
+    while (!lines.at_end()) {
+      const Line line = lines.next();
+      if (!line.key.empty()) break;
+      LineWords words(line.text);
+      const auto marker = words.next();
+      const auto node = parse_integer(words.next());
+      if (!node || *node < 0 || *node >= mesh.data.node_count() || !markers.contains(marker))
+        continue;
+      const auto i = static_cast<Index>(*node);
+      points.push_back({i, place_in_space(nullptr, mesh.data.coordinates, i)});
+    }
+  }
+  return points;
+}
 
 class Reader {
  public:
@@ -140,8 +246,7 @@ class Reader {
     const Index n = count(l.value, "the number of elements", 8);
     mesh_.data.types.reserve(static_cast<std::size_t>(n));
     mesh_.data.element_offsets.reserve(static_cast<std::size_t>(n) + 1);
-    mesh_.data.element_nodes.reserve(static_cast<std::size_t>(n) *
-                                     (dimensions_.cells == 2 ? 3 : 4));
+    mesh_.data.element_nodes.reserve(at(n) * at(dimensions_.cells + 1));
     mesh_.where.elements.reserve(static_cast<std::size_t>(n));
     for (Index e = 0; e < n; ++e) {
       const Expected expected{"element", e, n};
@@ -217,8 +322,9 @@ class Reader {
     marker.faces.reserve(static_cast<std::size_t>(n));
     std::vector<std::size_t> offsets;
     offsets.reserve(static_cast<std::size_t>(n));
+    const std::string what = std::string("marker ") + side_name(dimensions_.cells);
     for (Index e = 0; e < n; ++e) {
-      const Expected expected{dimensions_.cells == 2 ? "marker edge" : "marker face", e, n};
+      const Expected expected{what.c_str(), e, n};
       const Line data = lines_.next_data(expected);
       offsets.push_back(source_.offset_of(data.text));
       LineWords words(data.text);
@@ -237,7 +343,7 @@ class Reader {
     if (size == 0) {
       source_.fail(source_.offset_of(word),
                    "marker element type " + std::string(word) + type_hint(*type, dimensions_, true),
-                   dimensions_.cells == 2 ? "3 (line)" : element_list(2));
+                   element_list(dimensions_.cells - 1));
     }
     std::array<Index, 4> corners{};
     const std::span<Index> used(corners.data(), size);
@@ -273,8 +379,6 @@ class Reader {
     }
     add_warnings();
     if (of_surface()) set_nodes(source_, xyz_, mesh_);
-    details_->nodes = mesh_.data.node_count();
-    details_->elements = mesh_.data.element_count();
     details_->markers = mesh_.data.markers.size();
     check_finite(source_, mesh_);
     details_->periodic = std::make_shared<GivenPeriodicity>();
@@ -315,32 +419,19 @@ class Reader {
   bool renumbered_ = false;
 };
 
-/// The first line "KEY=" of a part of the file.
-std::optional<Line> find_line(const Source& source, std::size_t begin, std::size_t end,
-                              std::string_view key) {
-  const auto text = source.text().substr(0, end);
-  for (auto at = text.find(key, begin); at != std::string_view::npos; at = text.find(key, at + 1)) {
-    const auto newline = text.rfind('\n', at);
-    const std::size_t line_begin = newline == std::string_view::npos ? 0 : newline + 1;
-    const Line l = LineReader(source, line_begin, end).next();
-    if (l.key == key) return l;
-  }
-  return std::nullopt;
-}
-
 /// What the first line NDIME= of a part of the file says; 0: it has none. Points may come before
 /// it, and cannot be read without.
 int stated_dimension(const Source& source, std::size_t begin, std::size_t end) {
-  const auto l = find_line(source, begin, end, "NDIME");
-  return !l ? 0 : l->value == "2" ? 2 : l->value == "3" ? 3 : 0;
+  const auto lines = lines_with(source, begin, end, "NDIME", 1);
+  return lines.empty() ? 0 : lines[0].value == "2" ? 2 : lines[0].value == "3" ? 3 : 0;
 }
 
 /// Elements in space are those of a surface if the first of them is. Markers, which may come before
 /// them, are lines then, and points may lie in a plane.
 bool has_surface_elements(const Source& source, const ZoneList::Zone& zone) {
-  const auto head = find_line(source, zone.begin, zone.end, "NELEM");
-  if (!head) return false;
-  LineReader lines(source, head->offset, zone.end);
+  const auto heads = lines_with(source, zone.begin, zone.end, "NELEM", 1);
+  if (heads.empty()) return false;
+  LineReader lines(source, heads[0].offset, zone.end);
   lines.next();
   while (!lines.at_end()) {
     const Line line = lines.next();

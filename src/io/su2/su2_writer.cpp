@@ -5,7 +5,6 @@
 #include "io/format/periodicity.h"
 #include "io/su2/su2.h"
 #include "io/su2/su2_periodic.h"
-#include "io/su2/su2_points.h"
 #include "io/text/numbers.h"
 #include "io/text/source.h"
 
@@ -105,8 +104,7 @@ class Writer {
     out_ << details_.line_end;
     for (Index i = 0; i < mesh_.coordinates.size(); ++i) {
       const Vec3 p = space_.node(i);
-      out_ << p.x() << ' ' << p.y();
-      if (details_.dimension == 3) out_ << ' ' << p.z();
+      for (int k = 0; k < details_.dimension; ++k) out_ << (k > 0 ? " " : "") << p[k];
       end_point(i);
     }
   }
@@ -177,6 +175,13 @@ bool says_more(const Details& details) {
   return false;
 }
 
+/// True if a node that a box lists lies elsewhere by now: the box is no longer right.
+bool box_is_stale(const std::vector<BoxPoint>& points, const Coordinates& x) {
+  return std::any_of(points.begin(), points.end(), [&](const BoxPoint& point) {
+    return point.node < x.size() && place_in_space(nullptr, x, point.node) != point.place;
+  });
+}
+
 /// Pairs of a source that is not written as it was: SU2 of today keeps them elsewhere.
 void name_pairs(const FormatDetails* source, const Mesh& mesh, std::vector<std::string>& warnings) {
   if (source == nullptr || !source->periodic || source->periodic->pairs.empty()) return;
@@ -207,9 +212,8 @@ void write_zone(std::ostream& out, const Mesh& mesh, const FormatDetails* source
   const std::span<const Marker> markers = topology.markers().from_file()
                                               ? std::span<const Marker>(topology.markers().list())
                                               : std::span<const Marker>();
-  const bool fits = details != nullptr && details->nodes == topology.node_count() &&
-                    details->elements == topology.element_count() &&
-                    details->markers == markers.size();
+  const bool fits =
+      details != nullptr && details->same_size(topology) && details->markers == markers.size();
   // A name that came from an SU2 file goes back as it came.
   std::vector<std::string> names;
   if (fits) {
@@ -259,7 +263,8 @@ Details without_zones(Details details) {
 
 }  // namespace
 
-std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones) {
+std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone> zones,
+                                     const WriteOptions&) {
   std::vector<std::string> warnings;
   const auto details_of = [](const MeshZone& zone) {
     return dynamic_cast<const Details*>(zone.details);
@@ -283,7 +288,8 @@ std::vector<std::string> write_zones(std::ostream& out, std::span<const MeshZone
   return warnings;
 }
 
-std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source) {
+std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
+                               const WriteOptions&) {
   std::vector<std::string> warnings;
   const auto* details = dynamic_cast<const Details*>(source);
   if (details == nullptr || !details->blocks) {

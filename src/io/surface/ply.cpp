@@ -1,5 +1,3 @@
-#include <bit>
-
 #include "io/surface/surface.h"
 #include "io/text/numbers.h"
 #include "io/text/source.h"
@@ -9,28 +7,28 @@ namespace {
 
 enum class Encoding { ascii, little_endian, big_endian };
 
-struct NumberType {
-  bool floating = false;
-  bool is_signed = false;
-  std::size_t bytes = 0;
-};
-
-std::optional<NumberType> number_type(std::string_view name) {
-  if (name == "char" || name == "int8") return NumberType{false, true, 1};
-  if (name == "uchar" || name == "uint8") return NumberType{false, false, 1};
-  if (name == "short" || name == "int16") return NumberType{false, true, 2};
-  if (name == "ushort" || name == "uint16") return NumberType{false, false, 2};
-  if (name == "int" || name == "int32") return NumberType{false, true, 4};
-  if (name == "uint" || name == "uint32") return NumberType{false, false, 4};
-  if (name == "float" || name == "float32") return NumberType{true, true, 4};
-  if (name == "double" || name == "float64") return NumberType{true, true, 8};
+std::optional<BinaryNumber> number_type(std::string_view name) {
+  struct Named {
+    std::string_view name, other_name;
+    BinaryNumber type;
+  };
+  static constexpr std::array<Named, 8> all{{{"char", "int8", {false, true, 1}},
+                                             {"uchar", "uint8", {false, false, 1}},
+                                             {"short", "int16", {false, true, 2}},
+                                             {"ushort", "uint16", {false, false, 2}},
+                                             {"int", "int32", {false, true, 4}},
+                                             {"uint", "uint32", {false, false, 4}},
+                                             {"float", "float32", {true, true, 4}},
+                                             {"double", "float64", {true, true, 8}}}};
+  for (const Named& known : all)
+    if (name == known.name || name == known.other_name) return known.type;
   return std::nullopt;
 }
 
 struct Property {
   std::string name;
-  NumberType type;
-  std::optional<NumberType> list_size;  ///< set: a list, with a size of this type before it
+  BinaryNumber type;
+  std::optional<BinaryNumber> list_size;  ///< set: a list, with a size of this type before it
 };
 
 struct Element {
@@ -100,7 +98,7 @@ class Reader {
     elements_.push_back(std::move(element));
   }
 
-  NumberType type() {
+  BinaryNumber type() {
     const auto word = scan_.word();
     const auto found = number_type(word);
     if (!found) scan_.fail(word, "a type such as float, double or int");
@@ -146,31 +144,12 @@ class Reader {
                   scan_.bytes_left(), {"the number of entries of an element"});
   }
 
-  std::uint64_t take_bytes(std::size_t n) {
-    if (scan_.bytes_left() < n) {
-      source_.fail(source_.text().size(), "the end of the file", "more data");
-    }
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t k = encoding_ == Encoding::big_endian ? i : n - 1 - i;
-      value = value << 8 | static_cast<unsigned char>(source_.text()[scan_.offset() + k]);
-    }
-    scan_.seek(scan_.offset() + n);
-    return value;
-  }
-
-  double number(NumberType type, const Expected& expected) {
+  double number(const BinaryNumber& type, const Expected& expected) {
     if (encoding_ == Encoding::ascii) return scan_.number(expected);
-    const std::uint64_t raw = take_bytes(type.bytes);
-    if (type.floating && type.bytes == 8) return std::bit_cast<double>(raw);
-    if (type.floating)
-      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(raw)));
-    const unsigned shift = static_cast<unsigned>(64 - 8 * type.bytes);
-    const auto extended = static_cast<std::int64_t>(raw << shift) >> shift;
-    return type.is_signed ? static_cast<double>(extended) : static_cast<double>(raw);
+    return scan_.bytes<double>(type, encoding_ == Encoding::big_endian, {"more data"});
   }
 
-  Index whole_number(NumberType type, const Expected& expected) {
+  Index whole_number(BinaryNumber type, const Expected& expected) {
     const std::size_t offset = scan_.offset();
     const double value = number(type, expected);
     const bool fits = value >= 0 && value <= std::numeric_limits<Index>::max();
@@ -228,12 +207,11 @@ class Reader {
   std::vector<Index> corners_;
 };
 
-}  // namespace
-
 ParsedMesh read_ply(Source& source) { return Reader(source).read(); }
 
 std::vector<std::string> write_ply(std::ostream& stream, const Mesh& mesh,
-                                   const FormatDetails* source, bool binary) {
+                                   const FormatDetails* source, const WriteOptions& options) {
+  const bool binary = options.binary;
   static_assert(std::endian::native == std::endian::little);
   TextWriter out(stream);
   const WrittenSurface surface(mesh, source);
@@ -262,5 +240,20 @@ std::vector<std::string> write_ply(std::ostream& stream, const Mesh& mesh,
   }
   return lost_in_surface(mesh);
 }
+
+}  // namespace
+
+const MeshFormat ply_format{
+    .name = "ply",
+    .title = "Stanford PLY",
+    .encodings = "text, binary of either byte order",
+    .markers = "lost",
+    .regions = "lost",
+    .volumes = "boundary only",
+    .keeps_markers = false,
+    .has_binary = true,
+    .recognise = [](const Content& content) { return signature_if(content.first_line == "ply"); },
+    .read = read_ply,
+    .write = write_ply};
 
 }  // namespace winslow::io::surface

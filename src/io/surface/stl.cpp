@@ -1,6 +1,4 @@
-#include <bit>
 #include <cstring>
-#include <map>
 
 #include "io/surface/surface.h"
 #include "io/text/numbers.h"
@@ -165,8 +163,21 @@ bool write_binary(TextWriter& out, const WrittenSurface& surface) {
   return exact;
 }
 
-}  // namespace
+/// Its header may say anything, "solid" as well: the number of triangles fits the size.
+bool is_binary_stl(std::string_view content) {
+  constexpr std::size_t header = 84;
+  std::uint32_t count = 0;
+  if (content.size() < header) return false;
+  std::memcpy(&count, content.data() + header - sizeof count, sizeof count);
+  return count > 0 && content.size() == header + std::size_t{50} * count;
+}
 
+Evidence recognise_stl(const Content& content) {
+  if (is_binary_stl(content.whole)) return {Evidence::Kind::size};
+  return signature_if(starts_with_word(content.first_line, "solid"));
+}
+
+/// Corners at exactly the same place become one node, in the order in which they first appear.
 ParsedMesh read_stl(Source& source) {
   // Some programs start binary files with "solid" too, so the size decides.
   const auto text = source.text();
@@ -179,12 +190,13 @@ ParsedMesh read_stl(Source& source) {
   return text.starts_with("solid") ? read_ascii(source) : read_binary(source);
 }
 
+/// Quadrilaterals become two triangles each; binary STL holds single precision.
 std::vector<std::string> write_stl(std::ostream& stream, const Mesh& mesh,
-                                   const FormatDetails* source, bool binary) {
-  std::vector<std::string> warnings = lost_in_surface(mesh, !binary);
+                                   const FormatDetails* source, const WriteOptions& options) {
+  std::vector<std::string> warnings = lost_in_surface(mesh, !options.binary);
   const WrittenSurface surface(mesh, source);
   TextWriter out(stream);
-  if (!binary) {
+  if (!options.binary) {
     for (const WrittenSurface::Group& group : surface.groups()) write_solid(out, surface, group);
   } else if (!write_binary(out, surface)) {
     warnings.emplace_back("binary STL holds single precision: the coordinates are rounded");
@@ -194,5 +206,20 @@ std::vector<std::string> write_stl(std::ostream& stream, const Mesh& mesh,
   }
   return warnings;
 }
+
+}  // namespace
+
+const MeshFormat stl_format{.name = "stl",
+                            .title = "STL",
+                            .encodings = "text, binary",
+                            .markers = "lost",
+                            .regions = "lost",
+                            .quadrilaterals = "become triangles",
+                            .volumes = "boundary only, a solid for each marker in text",
+                            .keeps_markers = false,
+                            .has_binary = true,
+                            .recognise = recognise_stl,
+                            .read = read_stl,
+                            .write = write_stl};
 
 }  // namespace winslow::io::surface

@@ -12,22 +12,6 @@ namespace winslow::io::surface {
 
 extern const MeshFormat obj_format, off_format, ply_format, stl_format;
 
-ParsedMesh read_obj(Source& source);
-ParsedMesh read_off(Source& source);
-ParsedMesh read_ply(Source& source);
-/// Corners at exactly the same place become one node, in the order in which they first appear.
-ParsedMesh read_stl(Source& source);
-
-std::vector<std::string> write_obj(std::ostream& out, const Mesh& mesh,
-                                   const FormatDetails* source);
-std::vector<std::string> write_off(std::ostream& out, const Mesh& mesh,
-                                   const FormatDetails* source);
-std::vector<std::string> write_ply(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
-                                   bool binary);
-/// Quadrilaterals become two triangles each; binary STL holds single precision.
-std::vector<std::string> write_stl(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
-                                   bool binary);
-
 /// Collects vertices and faces as a reader meets them.
 class Builder {
  public:

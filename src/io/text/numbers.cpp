@@ -1,6 +1,5 @@
 #include "io/text/numbers.h"
 
-#include <array>
 #include <charconv>
 #include <limits>
 
@@ -58,16 +57,27 @@ std::optional<double> parse_number(std::string_view text) {
   return value ? value : parse_fortran(text);
 }
 
-void append_number(std::string& text, double value) {
+std::uint64_t unsigned_at(const char* bytes, std::size_t count, bool big_endian) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t k = big_endian ? i : count - 1 - i;
+    value = value << 8 | static_cast<unsigned char>(bytes[k]);
+  }
+  return value;
+}
+
+namespace {
+
+template <class Number>
+void append(std::string& text, Number value) {
   std::array<char, 32> buffer;
   const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   text.append(buffer.data(), result.ptr);
 }
 
-void append_number(std::string& text, std::int64_t value) {
-  std::array<char, 24> buffer;
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  text.append(buffer.data(), result.ptr);
-}
+}  // namespace
+
+void append_number(std::string& text, double value) { append(text, value); }
+void append_number(std::string& text, std::int64_t value) { append(text, value); }
 
 }  // namespace winslow::io

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -17,6 +20,34 @@ std::optional<std::int64_t> parse_integer(std::string_view text);
 /// are numbers here, and so is Fortran's "1.5D+03". Too small becomes zero or subnormal, too large
 /// infinite.
 std::optional<double> parse_number(std::string_view text);
+
+/// parse_integer() or parse_number().
+template <class Number>
+std::optional<Number> parse(std::string_view text) {
+  if constexpr (std::is_integral_v<Number>)
+    return parse_integer(text);
+  else
+    return parse_number(text);
+}
+
+/// How a binary file holds a number.
+struct BinaryNumber {
+  bool floating = false;
+  bool is_signed = false;
+  std::size_t bytes = 0;
+};
+/// The number that so many bytes hold without a sign.
+std::uint64_t unsigned_at(const char* bytes, std::size_t count, bool big_endian);
+/// A number of that kind.
+template <class Number>
+Number number_at(const char* bytes, const BinaryNumber& kind, bool big_endian) {
+  const std::uint64_t raw = unsigned_at(bytes, kind.bytes, big_endian);
+  if (kind.floating && kind.bytes == 8) return static_cast<Number>(std::bit_cast<double>(raw));
+  if (kind.floating)
+    return static_cast<Number>(std::bit_cast<float>(static_cast<std::uint32_t>(raw)));
+  const auto shift = static_cast<unsigned>(kind.is_signed ? 64 - 8 * kind.bytes : 0);
+  return static_cast<Number>(static_cast<std::int64_t>(raw << shift) >> shift);
+}
 
 /// Shortest decimal text that parse_number turns into the same double.
 void append_number(std::string& text, double value);
@@ -53,6 +84,15 @@ class TextWriter {
     static_assert(std::is_trivially_copyable_v<Value>);
     buffer_.append(reinterpret_cast<const char*>(&value), sizeof value);
     drain();
+  }
+
+  /// The same in the order of bytes of a file.
+  template <class Number>
+  void raw(Number value, bool big_endian) {
+    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+    if (big_endian == (std::endian::native == std::endian::little))
+      std::reverse(bytes.begin(), bytes.end());
+    raw(bytes);
   }
 
   void flush() {

@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <limits>
@@ -144,6 +143,17 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+std::size_t line_begin(std::string_view text, std::size_t offset) {
+  const auto newline = text.rfind('\n', offset);
+  return newline == std::string_view::npos ? 0 : newline + 1;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+  return lower;
+}
+
 std::string_view Scanner::line() {
   const std::size_t begin = position_;
   std::size_t end = text_.find('\n', begin);
@@ -166,20 +176,6 @@ std::string_view Scanner::word() {
     ++position_;
   }
   return text_.substr(begin, position_ - begin);
-}
-
-std::int64_t Scanner::integer(const Expected& expected) {
-  const auto found = word();
-  const auto value = parse_integer(found);
-  if (!value) fail(found, expected);
-  return *value;
-}
-
-double Scanner::number(const Expected& expected) {
-  const auto found = word();
-  const auto value = parse_number(found);
-  if (!value) fail(found, expected);
-  return *value;
 }
 
 Index Scanner::index(const Expected& expected) {

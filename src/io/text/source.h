@@ -1,12 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/types.h"
+#include "io/text/numbers.h"
 
 namespace winslow::io {
 
@@ -96,13 +95,22 @@ class Scanner {
   }
 
   /// Next word of this line as a number. Throws InputError.
-  std::int64_t integer(const Expected& expected);
-  double number(const Expected& expected);
+  std::int64_t integer(const Expected& expected) { return parsed<std::int64_t>(expected); }
+  double number(const Expected& expected) { return parsed<double>(expected); }
   /// An integer that fits an Index and is not negative.
   Index index(const Expected& expected);
   /// A number of things that follow and take at least `bytes_each` bytes each: never more than the
   /// rest of the file can hold, so that a forged header cannot make us allocate without limit.
   Index count(const Expected& expected, std::size_t bytes_each);
+
+  /// The next number of a binary file, of that kind. Throws InputError.
+  template <class Number>
+  Number bytes(const BinaryNumber& kind, bool big_endian, const Expected& expected) {
+    if (bytes_left() < kind.bytes)
+      source_.fail(source_.text().size(), "the end of the file", expected.text());
+    position_ += kind.bytes;
+    return number_at<Number>(text_.data() + position_ - kind.bytes, kind, big_endian);
+  }
 
   /// Goes to the next line; anything but white space before it is an error.
   void end_line(const Expected& expected);
@@ -112,6 +120,14 @@ class Scanner {
   [[noreturn]] void fail(std::string_view found, const std::string& expected) const;
 
  private:
+  template <class Number>
+  Number parsed(const Expected& expected) {
+    const auto found = word();
+    const auto value = parse<Number>(found);
+    if (!value) fail(found, expected);
+    return *value;
+  }
+
   const Source& source_;
   std::string_view text_;
   std::size_t position_;
@@ -119,6 +135,17 @@ class Scanner {
 
 /// Without white space at both ends.
 std::string_view trimmed(std::string_view text);
+/// Offset of the first character of the line in which `offset` lies.
+std::size_t line_begin(std::string_view text, std::size_t offset);
+/// What text(item) says of all items: "1, 2, 4".
+template <class Items, class Text>
+std::string list_of(const Items& items, const Text& text) {
+  std::string list;
+  for (const auto& item : items) list.append(list.empty() ? "" : ", ").append(text(item));
+  return list;
+}
+/// Letters of ASCII in lower case.
+std::string lower_case(std::string_view text);
 /// Checks a count against the bytes that are left (see Scanner::count). Throws InputError.
 Index checked_count(const Source& source, std::size_t offset, std::int64_t count,
                     std::size_t bytes_each, std::size_t bytes_left, const Expected& expected);

@@ -90,10 +90,7 @@ const MeshFormat format{.name = "ugrid",
                         .markers = "yes, tag, and name in .mapbc",
                         .regions = "no",
                         .quadrilaterals = "no plane meshes",
-                        .volumes = "yes",
-                        .writes_planes = false,
-                        .writes_volumes = true,
-                        .keeps_markers = true,
+                        .writes = {false, false, true},
                         .has_binary = true,
                         .recognise = recognise,
                         .read = read,
@@ -102,10 +99,10 @@ const MeshFormat format{.name = "ugrid",
 namespace {
 
 int small_integer(Scanner& scan, const Expected& expected) {
-  const std::size_t at = scan.offset();
+  const std::size_t start = scan.offset();
   const std::int64_t value = scan.integer(expected);
   if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max())
-    scan.source().fail(at, std::to_string(value), expected.text());
+    scan.source().fail(start, std::to_string(value), expected.text());
   return static_cast<int>(value);
 }
 
@@ -123,14 +120,14 @@ std::vector<Surface> read_mapbc(Source& source, const std::filesystem::path& pat
   scan.line();
   for (Index i = 0; i < n; ++i) {
     scan.skip_space();
-    const std::size_t at = scan.offset();
+    const std::size_t start = scan.offset();
     Surface surface;
     surface.tag = small_integer(scan, {"the number of surface", i, n});
     surface.boundary_condition = small_integer(scan, {"the boundary condition of surface", i, n});
     surface.name = scan.word();
     scan.line();
     if (!tags.insert(surface.tag).second)
-      source.fail(at, "surface " + std::to_string(surface.tag) + " a second time", "each once");
+      source.fail(start, "surface " + std::to_string(surface.tag) + " a second time", "each once");
     surfaces.push_back(std::move(surface));
   }
   return surfaces;

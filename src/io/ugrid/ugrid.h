@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/format/groups.h"
 #include "io/format/mesh_format.h"
+#include "io/format/parsed_mesh.h"
 
 /// AFLR3 grids (.ugrid): "UG_IO 3D Grid File Type UGRID", SimCenter, Mississippi State University;
 /// and the .mapbc file beside one, which FUN3D reads: names and boundary conditions of surfaces.

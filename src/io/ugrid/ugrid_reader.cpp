@@ -1,8 +1,7 @@
-#include <bit>
 #include <cstring>
 #include <set>
 
-#include "io/format/groups.h"
+#include "io/format/parsed_mesh.h"
 #include "io/text/numbers.h"
 #include "io/text/source.h"
 #include "io/ugrid/ugrid.h"
@@ -23,40 +22,27 @@ class Numbers {
   std::size_t bytes_left() const { return scan_.bytes_left(); }
 
   std::int64_t integer(const Expected& expected) {
-    if (encoding_.binary) return static_cast<std::int32_t>(take<std::uint32_t>(expected));
+    if (encoding_.binary)
+      return scan_.bytes<std::int64_t>({false, true, 4}, encoding_.big_endian, expected);
     scan_.skip_space();
     return scan_.integer(expected);
   }
   double real(const Expected& expected) {
-    if (!encoding_.binary) {
-      scan_.skip_space();
-      return scan_.number(expected);
-    }
-    if (encoding_.single)
-      return static_cast<double>(std::bit_cast<float>(take<std::uint32_t>(expected)));
-    return std::bit_cast<double>(take<std::uint64_t>(expected));
+    if (encoding_.binary)
+      return scan_.bytes<double>({true, true, encoding_.single ? std::size_t{4} : 8},
+                                 encoding_.big_endian, expected);
+    scan_.skip_space();
+    return scan_.number(expected);
   }
   /// A count of things of so many numbers each: no more than the rest of the file can hold.
   std::int64_t count(const Expected& expected, std::size_t numbers_each) {
-    const std::size_t at = offset();
+    const std::size_t start = offset();
     const std::int64_t n = integer(expected);
-    return checked_count(source_, at, n, numbers_each * (encoding_.binary ? 4 : 2), bytes_left(),
+    return checked_count(source_, start, n, numbers_each * (encoding_.binary ? 4 : 2), bytes_left(),
                          expected);
   }
 
  private:
-  template <class Value>
-  Value take(const Expected& expected) {
-    if (scan_.bytes_left() < sizeof(Value))
-      source_.fail(source_.text().size(), "the end of the file", expected.text());
-    std::array<char, sizeof(Value)> bytes;
-    std::memcpy(bytes.data(), source_.text().data() + scan_.offset(), sizeof(Value));
-    if (encoding_.big_endian == (std::endian::native == std::endian::little))
-      std::reverse(bytes.begin(), bytes.end());
-    scan_.seek(scan_.offset() + sizeof(Value));
-    return std::bit_cast<Value>(bytes);
-  }
-
   const Source& source_;
   Scanner scan_;
   Encoding encoding_;
@@ -81,8 +67,6 @@ class Reader {
     // Generators append data on layers and on the volumes that elements belong to.
     if (numbers_.offset() < source_.text().size())
       mesh_.warnings.emplace_back("data behind the elements are not kept");
-    details_->nodes = mesh_.data.node_count();
-    details_->elements = mesh_.data.element_count();
     return std::move(mesh_);
   }
   Details& details() { return *details_; }
@@ -118,10 +102,10 @@ class Reader {
   /// Nodes count from 1 in the file.
   void read_corners(std::span<Index> corners, const Expected& expected) {
     for (Index& corner : corners) {
-      const std::size_t at = numbers_.offset();
+      const std::size_t start = numbers_.offset();
       const std::int64_t node = numbers_.integer(expected);
       if (node < 1 || node > nodes_) {
-        source_.fail(at, "node " + std::to_string(node),
+        source_.fail(start, "node " + std::to_string(node),
                      "1 to " + std::to_string(nodes_) + " as a node of " + expected.text());
       }
       corner = static_cast<Index>(node - 1);
@@ -140,10 +124,10 @@ class Reader {
     }
     for (Index s = 0; s < n; ++s) {
       tag_places_.push_back(places[static_cast<std::size_t>(s)]);
-      const std::size_t at = numbers_.offset();
+      const std::size_t start = numbers_.offset();
       const std::int64_t tag = numbers_.integer({"the surface of boundary face", s, n});
       if (tag != static_cast<int>(tag))
-        source_.fail(at, std::to_string(tag) + " as the number of a surface", "a smaller one");
+        source_.fail(start, std::to_string(tag) + " as the number of a surface", "a smaller one");
       tags_.push_back(static_cast<int>(tag));
     }
   }

@@ -1,6 +1,4 @@
-#include <bit>
-
-#include "io/format/groups.h"
+#include "io/format/parsed_mesh.h"
 #include "io/text/numbers.h"
 #include "io/ugrid/ugrid.h"
 
@@ -49,10 +47,7 @@ class ValueWriter {
   }
   template <class Number>
   void put(Number value) {
-    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    if (encoding_.big_endian == (std::endian::native == std::endian::little))
-      std::reverse(bytes.begin(), bytes.end());
-    out_.raw(bytes);
+    out_.raw(value, encoding_.big_endian);
   }
 
   TextWriter& out_;

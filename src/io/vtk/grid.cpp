@@ -148,8 +148,6 @@ class MeshBuilder {
       mesh_.warnings.push_back("data on points, cells and the field are not kept: " +
                                listed(grid_.dropped));
     }
-    details_->nodes = mesh_.data.node_count();
-    details_->elements = mesh_.data.element_count();
     return std::move(mesh_);
   }
 
@@ -258,8 +256,7 @@ class MeshBuilder {
     const auto index = static_cast<Index>(details_->sides.size());
     details_->items.push_back({Item::Kind::side, index});
     details_->sides.push_back(face);
-    const bool of_boundary = (face.size() == 2) == (dimension_ == 2);
-    if (!of_boundary) return;
+    if (!is_side(face, dimension_)) return;
     const int tag = grid_.marker.empty() ? 0 : grid_.marker[c];
     if (tag == 0) {
       ++loose_sides_;

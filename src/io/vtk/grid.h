@@ -3,7 +3,7 @@
 #include <set>
 
 #include "core/mesh/mesh.h"
-#include "io/format/groups.h"
+#include "io/format/mesh_format.h"
 #include "io/format/parsed_mesh.h"
 
 /// VTK files, legacy and XML: "VTK File Formats" (Kitware). VTK knows no markers; ours are line
@@ -84,5 +84,12 @@ class ArrayCollector {
 ParsedMesh to_mesh(const Source& source, const Grid& grid);
 /// Cells of a mesh; in the order of its source if that was a VTK file and still fits.
 Grid to_grid(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings);
+
+/// Legacy VTK files: unstructured grids and polygon data, versions 1 to 5, ASCII and binary.
+/// Written is version 3.0, which every reader understands.
+extern const MeshFormat legacy_format;
+/// VTK XML unstructured grids (.vtu). Reads ASCII, inline base64, and appended raw or base64 data,
+/// compressed by zlib or not. Writes ASCII or appended raw data.
+extern const MeshFormat vtu_format;
 
 }  // namespace winslow::io::vtk

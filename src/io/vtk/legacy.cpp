@@ -1,13 +1,159 @@
-#include <bit>
 #include <cstring>
 
 #include "io/text/numbers.h"
+#include "io/text/source.h"
 #include "io/vtk/grid.h"
-#include "io/vtk/legacy_arrays.h"
-#include "io/vtk/vtk_formats.h"
 
 namespace winslow::io::vtk {
+
 namespace {
+
+/// Type of the numbers of a legacy array.
+struct NumberType {
+  enum class Kind : std::uint8_t { floating, signed_integer, unsigned_integer, bit, text };
+  Kind kind;
+  std::size_t bytes;
+};
+using Kind = NumberType::Kind;
+
+std::optional<NumberType> number_type(std::string_view name) {
+  struct Named {
+    std::string_view name;
+    NumberType type;
+  };
+  static constexpr std::array<Named, 19> types{{
+      {"bit", {Kind::bit, 1}},
+      {"unsigned_char", {Kind::unsigned_integer, 1}},
+      {"char", {Kind::signed_integer, 1}},
+      {"signed_char", {Kind::signed_integer, 1}},
+      {"unsigned_short", {Kind::unsigned_integer, 2}},
+      {"short", {Kind::signed_integer, 2}},
+      {"unsigned_int", {Kind::unsigned_integer, 4}},
+      {"int", {Kind::signed_integer, 4}},
+      {"unsigned_long", {Kind::unsigned_integer, 8}},
+      {"long", {Kind::signed_integer, 8}},
+      {"unsigned_long_long", {Kind::unsigned_integer, 8}},
+      {"long_long", {Kind::signed_integer, 8}},
+      {"vtktypeint64", {Kind::signed_integer, 8}},
+      {"vtktypeuint64", {Kind::unsigned_integer, 8}},
+      {"vtktypeint32", {Kind::signed_integer, 4}},
+      // Legacy files hold ids as 32-bit integers, however wide they are in memory.
+      {"vtkIdType", {Kind::signed_integer, 4}},
+      {"float", {Kind::floating, 4}},
+      {"double", {Kind::floating, 8}},
+      {"string", {Kind::text, 1}},
+  }};
+  const std::string lower = name == "vtkIdType" ? std::string(name) : lower_case(name);
+  for (const Named& known : types) {
+    if (known.name == lower) return known.type;
+  }
+  return std::nullopt;
+}
+
+/// Reads the arrays of a legacy file: numbers apart by white space, or big-endian bytes.
+class LegacyArrays {
+ public:
+  explicit LegacyArrays(Scanner& scan) : scan_(scan) {}
+
+  bool binary() const { return binary_; }
+  void set_binary(bool binary) { binary_ = binary; }
+  /// Next word of this line as a type. Throws InputError.
+  NumberType type() {
+    const auto word = scan_.word();
+    const auto found = number_type(word);
+    if (!found) scan_.fail(word, "a type such as float, double or int");
+    return *found;
+  }
+
+  /// Checks a count read by the caller against the bytes left.
+  Index count(const Expected& expected, const NumberType& type, std::size_t numbers_each) {
+    return scan_.count(
+        expected, std::max<std::size_t>(1, binary_ ? numbers_each * type.bytes : numbers_each * 2));
+  }
+
+  /// Reads numbers; `places`, if given, gets the byte offset of each.
+  std::vector<double> numbers(std::size_t n, NumberType type, const Expected& expected,
+                              std::vector<std::size_t>* places = nullptr) {
+    if (type.kind == Kind::text) {
+      skip_strings(n, expected);
+      return {};
+    }
+    if (binary_) begin_bytes(type.kind == Kind::bit ? (n + 7) / 8 : n, type, expected);
+    if (n / 2 > scan_.bytes_left() + 1 && !binary_) {
+      scan_.source().fail(scan_.offset(), "too few numbers", expected.text());
+    }
+    if (binary_ && type.kind == Kind::bit) {
+      scan_.seek(scan_.offset() + (n + 7) / 8);
+      return {};
+    }
+    return read<double>(n, type, expected, places);
+  }
+  std::vector<std::int64_t> integers(std::size_t n, NumberType type, const Expected& expected,
+                                     std::vector<std::size_t>* places = nullptr) {
+    if (type.kind != Kind::signed_integer && type.kind != Kind::unsigned_integer) {
+      scan_.source().fail(scan_.offset(), "an array that is not of integers", expected.text());
+    }
+    if (binary_) begin_bytes(n, type, expected);
+    return read<std::int64_t>(n, type, expected, places);
+  }
+
+  /// Skips n strings.
+  /// In binary, the two top bits of the first byte tell how many bytes hold the length.
+  void skip_strings(std::size_t n, const Expected& expected) {
+    const auto text = scan_.source().text();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (scan_.at_end()) scan_.source().fail(text.size(), "the end of the file", expected.text());
+      if (!binary_) {
+        scan_.line();
+        continue;
+      }
+      const auto first = static_cast<unsigned char>(text[scan_.offset()]);
+      const std::size_t width = std::size_t{1} << (3 - (first >> 6));
+      if (scan_.bytes_left() < width) {
+        scan_.source().fail(text.size(), "the end of the file", expected.text());
+      }
+      const std::uint64_t mask = ~std::uint64_t{0} >> (64 - 8 * width + 2);
+      const std::uint64_t length = unsigned_at(text.data() + scan_.offset(), width, true) & mask;
+      if (length > scan_.bytes_left() - width) {
+        scan_.source().fail(scan_.offset(), "a string longer than the file", expected.text());
+      }
+      scan_.seek(scan_.offset() + width + static_cast<std::size_t>(length));
+    }
+  }
+
+ private:
+  void begin_bytes(std::size_t n, NumberType type, const Expected& expected) {
+    const std::size_t size = type.kind == Kind::bit ? (n + 7) / 8 : n * type.bytes;
+    if (n > scan_.bytes_left() || size > scan_.bytes_left()) {
+      scan_.source().fail(scan_.source().text().size(), "the end of the file", expected.text());
+    }
+  }
+
+  template <class Number>
+  std::vector<Number> read(std::size_t n, NumberType type, const Expected& expected,
+                           std::vector<std::size_t>* places) {
+    const BinaryNumber kind{type.kind == Kind::floating, type.kind != Kind::unsigned_integer,
+                            type.bytes};
+    std::vector<Number> values;
+    values.reserve(std::min(n, scan_.bytes_left()));
+    for (std::size_t i = 0; i < n; ++i) {
+      if (binary_) {
+        if (places != nullptr) places->push_back(scan_.offset());
+        values.push_back(scan_.bytes<Number>(kind, true, expected));
+        continue;
+      }
+      const auto word = scan_.next_word();
+      const auto value = parse<Number>(word);
+      if (!value) scan_.fail(word, expected);
+      if (places != nullptr) places->push_back(scan_.source().offset_of(word));
+      values.push_back(*value);
+    }
+    return values;
+  }
+
+  Scanner& scan_;
+  bool binary_ = false;
+};
 
 constexpr NumberType int32{NumberType::Kind::signed_integer, 4};
 
@@ -123,26 +269,26 @@ class LegacyReader {
   void read_cell_list(std::size_t n, std::size_t size, std::size_t begin) {
     std::vector<std::size_t> places;
     const auto list = arrays_.integers(size, int32, {"a number in the list of cells"}, &places);
-    std::size_t at = 0;
+    std::size_t next = 0;
     for (std::size_t c = 0; c < n; ++c) {
-      if (at >= size) {
+      if (next >= size) {
         source_.fail(begin, "a list of " + std::to_string(size) + " numbers",
                      std::to_string(n) + " cells");
       }
-      const auto corners = list[at];
-      grid_.cell_places.push_back(places[at]);
-      if (corners < 0 || static_cast<std::uint64_t>(corners) > size - at - 1) {
-        source_.fail(places[at], std::to_string(corners) + " as the size of a cell",
+      const auto corners = list[next];
+      grid_.cell_places.push_back(places[next]);
+      if (corners < 0 || static_cast<std::uint64_t>(corners) > size - next - 1) {
+        source_.fail(places[next], std::to_string(corners) + " as the size of a cell",
                      "at most what the list holds");
       }
-      const auto from = list.begin() + static_cast<std::ptrdiff_t>(at) + 1;
+      const auto from = list.begin() + static_cast<std::ptrdiff_t>(next) + 1;
       grid_.connectivity.insert(grid_.connectivity.end(), from, from + corners);
       grid_.offsets.push_back(static_cast<std::int64_t>(grid_.connectivity.size()));
-      at += static_cast<std::size_t>(corners) + 1;
+      next += static_cast<std::size_t>(corners) + 1;
     }
-    if (at != size) {
+    if (next != size) {
       source_.fail(begin, std::to_string(size) + " as the length of the list of cells",
-                   std::to_string(at));
+                   std::to_string(next));
     }
   }
 
@@ -185,22 +331,119 @@ class LegacyReader {
   }
 
   void begin_data(bool of_cells, std::size_t expected) {
-    const std::size_t at = scan_.offset();
+    const std::size_t start = scan_.offset();
     const auto n = scan_.index({"the number of values"});
     scan_.end_line({"the end of the line"});
     place_ = of_cells ? Place::cells : Place::points;
     values_ = static_cast<std::size_t>(n);
     if (values_ != expected) {
-      source_.fail(at, "data for " + std::to_string(n) + (of_cells ? " cells" : " points"),
+      source_.fail(start, "data for " + std::to_string(n) + (of_cells ? " cells" : " points"),
                    std::to_string(expected));
     }
   }
 
-  void read_attribute(std::string_view word);
-  void skip_lookup_table_name();
-  void read_field();
-  void skip_metadata();
-  void finish();
+  void read_attribute(std::string_view word) {
+    const std::string keyword(word);
+    if (keyword == "LOOKUP_TABLE") {
+      scan_.word();
+      const Index n = scan_.count({"the size of a lookup table"}, arrays_.binary() ? 4 : 8);
+      scan_.end_line({"the end of the line"});
+      const NumberType type = arrays_.binary() ? NumberType{NumberType::Kind::unsigned_integer, 1}
+                                               : NumberType{NumberType::Kind::floating, 4};
+      arrays_.numbers(4 * static_cast<std::size_t>(n), type, {"a colour of a lookup table"});
+      return;
+    }
+    const std::string name = decoded(scan_.word());
+    std::size_t components = 1;
+    NumberType type = int32;
+    if (keyword == "COLOR_SCALARS") {
+      components = static_cast<std::size_t>(scan_.count({"the number of components"}, 1));
+      type = arrays_.binary() ? NumberType{NumberType::Kind::unsigned_integer, 1}
+                              : NumberType{NumberType::Kind::floating, 4};
+    } else if (keyword == "TEXTURE_COORDINATES") {
+      components = static_cast<std::size_t>(scan_.count({"the number of components"}, 1));
+      type = arrays_.type();
+    } else if (keyword == "SCALARS") {
+      type = arrays_.type();
+      const auto given = scan_.word();
+      const auto number = given.empty() ? 1 : parse_integer(given).value_or(0);
+      if (number < 1 || number > 4) scan_.fail(given, "1 to 4 components");
+      components = static_cast<std::size_t>(number);
+      skip_lookup_table_name();
+    } else if (keyword == "VECTORS" || keyword == "NORMALS" || keyword == "TENSORS" ||
+               keyword == "TENSORS6" || keyword == "GLOBAL_IDS" || keyword == "PEDIGREE_IDS" ||
+               keyword == "EDGE_FLAGS") {
+      type = arrays_.type();
+      components = keyword == "TENSORS" ? 9 : keyword == "TENSORS6" ? 6 : 3;
+      if (keyword.ends_with("IDS") || keyword == "EDGE_FLAGS") components = 1;
+    } else {
+      scan_.fail(word, "the keyword of a data array, such as SCALARS or FIELD");
+    }
+    scan_.end_line({"the end of the line"});
+    const auto values = arrays_.numbers(values_ * components, type, {"a value of a data array"});
+    if (place_ == Place::cells) {
+      collector_.cell_array(name, values, components);
+    } else {
+      grid_.dropped.insert(name);
+    }
+  }
+
+  /// Between SCALARS and its values most files name a table, on a line of its own.
+  void skip_lookup_table_name() {
+    const std::size_t here = scan_.offset();
+    if (scan_.next_word() == "LOOKUP_TABLE") {
+      scan_.word();
+    } else {
+      scan_.seek(here);
+    }
+  }
+
+  void read_field() {
+    scan_.word();
+    const Index n = scan_.count({"the number of arrays of a field"}, 4);
+    scan_.end_line({"the end of the line"});
+    for (Index a = 0; a < n; ++a) {
+      const auto word = scan_.next_word();
+      if (word == "METADATA") {
+        skip_metadata();
+        --a;
+        continue;
+      }
+      if (word.empty()) scan_.fail(word, Expected{"array of a field", a, n});
+      const std::string name = decoded(word);
+      const auto components = static_cast<std::size_t>(scan_.index({"the number of components"}));
+      const auto tuples = static_cast<std::size_t>(scan_.index({"the number of tuples"}));
+      const NumberType type = arrays_.type();
+      scan_.end_line({"the end of the line"});
+      const auto values = arrays_.numbers(components * tuples, type, {"a value of a field array"});
+      if (place_ == Place::cells) {
+        collector_.cell_array(name, values, components);
+      } else if (place_ == Place::file) {
+        collector_.field_array(name, values);
+      } else {
+        grid_.dropped.insert(name);
+      }
+    }
+  }
+
+  /// Runs to the next empty line, in binary files too.
+  void skip_metadata() {
+    scan_.line();
+    while (!scan_.at_end() && !trimmed(scan_.line()).empty()) {
+    }
+  }
+
+  void finish() {
+    const std::size_t end = source_.text().size();
+    if (!have_points_) source_.fail(end, "no POINTS", "the nodes of the mesh");
+    if (!have_cells_) source_.fail(end, "no cells", "the elements of the mesh");
+    if (grid_.types.size() != cell_count()) {
+      source_.fail(polygons_ ? end : types_offset_,
+                   std::to_string(grid_.types.size()) + " cell types",
+                   std::to_string(cell_count()) + ", one for each cell");
+    }
+    collector_.finish(source_, grid_);
+  }
 
   enum class Place { file, points, cells };
 
@@ -218,114 +461,7 @@ class LegacyReader {
   std::size_t values_ = 0;
 };
 
-void LegacyReader::read_attribute(std::string_view word) {
-  const std::string keyword(word);
-  if (keyword == "LOOKUP_TABLE") {
-    scan_.word();
-    const Index n = scan_.count({"the size of a lookup table"}, arrays_.binary() ? 4 : 8);
-    scan_.end_line({"the end of the line"});
-    const NumberType type = arrays_.binary() ? NumberType{NumberType::Kind::unsigned_integer, 1}
-                                             : NumberType{NumberType::Kind::floating, 4};
-    arrays_.numbers(4 * static_cast<std::size_t>(n), type, {"a colour of a lookup table"});
-    return;
-  }
-  const std::string name = decoded(scan_.word());
-  std::size_t components = 1;
-  NumberType type = int32;
-  if (keyword == "COLOR_SCALARS") {
-    components = static_cast<std::size_t>(scan_.count({"the number of components"}, 1));
-    type = arrays_.binary() ? NumberType{NumberType::Kind::unsigned_integer, 1}
-                            : NumberType{NumberType::Kind::floating, 4};
-  } else if (keyword == "TEXTURE_COORDINATES") {
-    components = static_cast<std::size_t>(scan_.count({"the number of components"}, 1));
-    type = arrays_.type();
-  } else if (keyword == "SCALARS") {
-    type = arrays_.type();
-    const auto given = scan_.word();
-    const auto number = given.empty() ? 1 : parse_integer(given).value_or(0);
-    if (number < 1 || number > 4) scan_.fail(given, "1 to 4 components");
-    components = static_cast<std::size_t>(number);
-    skip_lookup_table_name();
-  } else if (keyword == "VECTORS" || keyword == "NORMALS" || keyword == "TENSORS" ||
-             keyword == "TENSORS6" || keyword == "GLOBAL_IDS" || keyword == "PEDIGREE_IDS" ||
-             keyword == "EDGE_FLAGS") {
-    type = arrays_.type();
-    components = keyword == "TENSORS" ? 9 : keyword == "TENSORS6" ? 6 : 3;
-    if (keyword.ends_with("IDS") || keyword == "EDGE_FLAGS") components = 1;
-  } else {
-    scan_.fail(word, "the keyword of a data array, such as SCALARS or FIELD");
-  }
-  scan_.end_line({"the end of the line"});
-  const auto values = arrays_.numbers(values_ * components, type, {"a value of a data array"});
-  if (place_ == Place::cells) {
-    collector_.cell_array(name, values, components);
-  } else {
-    grid_.dropped.insert(name);
-  }
-}
-
-/// Between SCALARS and its values most files name a table, on a line of its own.
-void LegacyReader::skip_lookup_table_name() {
-  const std::size_t here = scan_.offset();
-  if (scan_.next_word() == "LOOKUP_TABLE") {
-    scan_.word();
-  } else {
-    scan_.seek(here);
-  }
-}
-
-void LegacyReader::read_field() {
-  scan_.word();
-  const Index n = scan_.count({"the number of arrays of a field"}, 4);
-  scan_.end_line({"the end of the line"});
-  for (Index a = 0; a < n; ++a) {
-    const auto word = scan_.next_word();
-    if (word == "METADATA") {
-      skip_metadata();
-      --a;
-      continue;
-    }
-    if (word.empty()) scan_.fail(word, Expected{"array of a field", a, n});
-    const std::string name = decoded(word);
-    const auto components = static_cast<std::size_t>(scan_.index({"the number of components"}));
-    const auto tuples = static_cast<std::size_t>(scan_.index({"the number of tuples"}));
-    const NumberType type = arrays_.type();
-    scan_.end_line({"the end of the line"});
-    const auto values = arrays_.numbers(components * tuples, type, {"a value of a field array"});
-    if (place_ == Place::cells) {
-      collector_.cell_array(name, values, components);
-    } else if (place_ == Place::file) {
-      collector_.field_array(name, values);
-    } else {
-      grid_.dropped.insert(name);
-    }
-  }
-}
-
-/// Runs to the next empty line, in binary files too.
-void LegacyReader::skip_metadata() {
-  scan_.line();
-  while (!scan_.at_end() && !trimmed(scan_.line()).empty()) {
-  }
-}
-
-void LegacyReader::finish() {
-  const std::size_t end = source_.text().size();
-  if (!have_points_) source_.fail(end, "no POINTS", "the nodes of the mesh");
-  if (!have_cells_) source_.fail(end, "no cells", "the elements of the mesh");
-  if (grid_.types.size() != cell_count()) {
-    source_.fail(polygons_ ? end : types_offset_,
-                 std::to_string(grid_.types.size()) + " cell types",
-                 std::to_string(cell_count()) + ", one for each cell");
-  }
-  collector_.finish(source_, grid_);
-}
-
-}  // namespace
-
 ParsedMesh read_legacy(Source& source) { return LegacyReader(source).read(); }
-
-namespace {
 
 /// Names end at white space and hold '%' as the start of a code.
 std::string encoded(const std::string& name) {
@@ -351,15 +487,11 @@ class ArrayWriter {
 
   template <class Number>
   void put(Number value, char separator) {
-    if (!binary_) {
+    if (binary_) {
+      out_.raw(value, true);
+    } else {
       out_ << value << separator;
-      return;
     }
-    auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    if constexpr (std::endian::native == std::endian::little) {
-      std::reverse(bytes.begin(), bytes.end());
-    }
-    out_.raw(bytes);
   }
   void end() {
     if (binary_) out_ << '\n';
@@ -417,15 +549,13 @@ void write_tags(TextWriter& out, ArrayWriter& array, const Grid& grid) {
   if (regions) write("region", grid.region);
 }
 
-}  // namespace
-
 std::vector<std::string> write_legacy(std::ostream& stream, const Mesh& mesh,
-                                      const FormatDetails* source, bool binary) {
+                                      const FormatDetails* source, const WriteOptions& options) {
   std::vector<std::string> warnings;
   const Grid grid = to_grid(mesh, source, warnings);
   TextWriter out(stream);
-  ArrayWriter array(out, binary);
-  out << "# vtk DataFile Version 3.0\nmesh\n" << (binary ? "BINARY\n" : "ASCII\n");
+  ArrayWriter array(out, options.binary);
+  out << "# vtk DataFile Version 3.0\nmesh\n" << (options.binary ? "BINARY\n" : "ASCII\n");
   out << "DATASET UNSTRUCTURED_GRID\n";
   out << "POINTS " << grid.points.size() / 3 << " double\n";
   for (std::size_t i = 0; i < grid.points.size(); ++i) {
@@ -438,5 +568,21 @@ std::vector<std::string> write_legacy(std::ostream& stream, const Mesh& mesh,
   write_tags(out, array, grid);
   return warnings;
 }
+
+}  // namespace
+
+const MeshFormat legacy_format{
+    .name = "vtk",
+    .title = "VTK",
+    .versions = "legacy, versions 1 to 5 (written as 3.0)",
+    .encodings = "text, binary",
+    .markers = "yes, see below",
+    .has_binary = true,
+    .recognise =
+        [](const Content& content) {
+          return signature_if(content.first_line.starts_with("# vtk DataFile"));
+        },
+    .read = read_legacy,
+    .write = write_legacy};
 
 }  // namespace winslow::io::vtk

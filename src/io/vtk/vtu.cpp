@@ -1,10 +1,8 @@
-#include <bit>
 #include <pugixml.hpp>
 
 #include "io/text/numbers.h"
 #include "io/text/source.h"
 #include "io/vtk/grid.h"
-#include "io/vtk/vtk_formats.h"
 #include "io/vtk/vtu_arrays.h"
 
 namespace winslow::io::vtk {
@@ -208,11 +206,7 @@ class VtuReader {
   bool binary_ = false;
 };
 
-}  // namespace
-
 ParsedMesh read_vtu(Source& source) { return VtuReader(source).read(); }
-
-namespace {
 
 static_assert(std::endian::native == std::endian::little,
               "appended data is declared little-endian and written as it lies in memory");
@@ -313,14 +307,30 @@ class Writer {
   std::string appended_;
 };
 
-}  // namespace
-
 std::vector<std::string> write_vtu(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
-                                   bool binary) {
+                                   const WriteOptions& options) {
   std::vector<std::string> warnings;
   const Grid grid = to_grid(mesh, source, warnings);
-  Writer(out, grid, binary).write();
+  Writer(out, grid, options.binary).write();
   return warnings;
 }
+
+}  // namespace
+
+const MeshFormat vtu_format{
+    .name = "vtu",
+    .title = "VTK XML",
+    .encodings =
+        "text, inline base64, appended raw and base64, zlib (written as text or appended raw)",
+    .markers = "yes, see below",
+    .has_binary = true,
+    .recognise =
+        [](const Content& content) {
+          return signature_if(content.start.starts_with("<") &&
+                              content.start.substr(0, 2000).find("<VTKFile") !=
+                                  std::string_view::npos);
+        },
+    .read = read_vtu,
+    .write = write_vtu};
 
 }  // namespace winslow::io::vtk

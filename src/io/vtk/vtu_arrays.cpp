@@ -2,9 +2,6 @@
 
 #include <zlib.h>
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cstring>
 
 #include "io/text/numbers.h"
@@ -120,7 +117,7 @@ void VtuArrays::fail(const pugi::xml_node& array, const std::string& found,
   source_.fail(place(array), found, expected);
 }
 
-VtuArrays::Type VtuArrays::type_of(const pugi::xml_node& array) const {
+BinaryNumber VtuArrays::type_of(const pugi::xml_node& array) const {
   const std::string_view name = array.attribute("type").value();
   if (name == "Float32") return {true, true, 4};
   if (name == "Float64") return {true, true, 8};
@@ -147,14 +144,9 @@ std::string_view VtuArrays::inline_text(const pugi::xml_node& array) const {
   return {};
 }
 
-std::uint64_t VtuArrays::integer_at(std::string_view bytes, std::size_t at,
+std::uint64_t VtuArrays::integer_at(std::string_view bytes, std::size_t begin,
                                     std::size_t width) const {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < width; ++i) {
-    const std::size_t k = big_endian_ ? i : width - 1 - i;
-    value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
-  }
-  return value;
+  return unsigned_at(bytes.data() + begin, width, big_endian_);
 }
 
 /// Decodes base64 and takes header and compression away.
@@ -224,11 +216,11 @@ std::string VtuArrays::inflated(std::string_view stream, const pugi::xml_node& a
   const std::uint64_t block_size = integer_at(stream, w, w);
   const std::uint64_t last_size = integer_at(stream, 2 * w, w);
   std::string data;
-  std::size_t at = static_cast<std::size_t>(blocks + 3) * w;
+  std::size_t start = static_cast<std::size_t>(blocks + 3) * w;
   for (std::uint64_t b = 0; b < blocks; ++b) {
     const std::uint64_t packed = integer_at(stream, static_cast<std::size_t>(3 + b) * w, w);
     const std::uint64_t size = b + 1 == blocks && last_size != 0 ? last_size : block_size;
-    if (packed > stream.size() - at || size / best_compression > packed) {
+    if (packed > stream.size() - start || size / best_compression > packed) {
       fail(array, "a compressed block of " + std::to_string(packed) + " bytes in " + name_of(array),
            "sizes that fit the data");
     }
@@ -236,12 +228,12 @@ std::string VtuArrays::inflated(std::string_view stream, const pugi::xml_node& a
     data.resize(before + static_cast<std::size_t>(size));
     auto length = static_cast<uLongf>(size);
     const int result = ::uncompress(reinterpret_cast<Bytef*>(data.data() + before), &length,
-                                    reinterpret_cast<const Bytef*>(stream.data() + at),
+                                    reinterpret_cast<const Bytef*>(stream.data() + start),
                                     static_cast<uLong>(packed));
     if (result != Z_OK || length != size) {
       fail(array, "compressed data that zlib refuses in " + name_of(array), "zlib data");
     }
-    at += static_cast<std::size_t>(packed);
+    start += static_cast<std::size_t>(packed);
   }
   return data;
 }
@@ -294,8 +286,8 @@ std::string_view VtuArrays::appended_piece(std::string_view stream,
   header = head(header_size);
   std::uint64_t packed = 0;
   for (std::uint64_t b = 0; b < first; ++b) {
-    const auto at = static_cast<std::size_t>(3 + b) * header_bytes_;
-    packed += std::min(integer_at(header, at, header_bytes_), most);
+    const auto start = static_cast<std::size_t>(3 + b) * header_bytes_;
+    packed += std::min(integer_at(header, start, header_bytes_), most);
   }
   return stream.substr(0, encoded_size(header_size) + encoded_size(std::min(packed, most)));
 }
@@ -316,7 +308,7 @@ std::string VtuArrays::bytes_of(const pugi::xml_node& array, std::size_t& first,
 template <class Number>
 std::vector<Number> VtuArrays::read(const pugi::xml_node& array, std::vector<std::size_t>* places,
                                     Count count) const {
-  const Type type = type_of(array);
+  const BinaryNumber type = type_of(array);
   std::vector<Number> values;
   if (std::string_view(array.attribute("format").as_string("ascii")) == "ascii") {
     const auto text = inline_text(array);
@@ -325,15 +317,11 @@ std::vector<Number> VtuArrays::read(const pugi::xml_node& array, std::vector<std
     Scanner scan(source_, begin, begin + text.size());
     for (auto word = scan.next_word(); !word.empty(); word = scan.next_word()) {
       if (places != nullptr) places->push_back(source_.offset_of(word));
-      if constexpr (std::is_same_v<Number, double>) {
-        const auto value = parse_number(word);
-        if (!value) scan.fail(word, "a number in " + name_of(array));
-        values.push_back(*value);
-      } else {
-        const auto value = parse_integer(word);
-        if (!value) scan.fail(word, "an integer in " + name_of(array));
-        values.push_back(*value);
-      }
+      const auto value = parse<Number>(word);
+      if (!value)
+        scan.fail(word, (std::is_integral_v<Number> ? "an integer in " : "a number in ") +
+                            name_of(array));
+      values.push_back(*value);
     }
     return values;
   }
@@ -347,20 +335,9 @@ std::vector<Number> VtuArrays::read(const pugi::xml_node& array, std::vector<std
          "a multiple of " + std::to_string(type.bytes));
   }
   values.reserve(bytes.size() / type.bytes);
-  for (std::size_t at = 0; at < bytes.size(); at += type.bytes) {
-    if (places != nullptr) places->push_back(first + (compressed_ ? 0 : at));
-    const std::uint64_t raw = integer_at(bytes, at, type.bytes);
-    if (type.floating) {
-      values.push_back(static_cast<Number>(
-          type.bytes == 8
-              ? std::bit_cast<double>(raw)
-              : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(raw)))));
-      continue;
-    }
-    const unsigned shift = static_cast<unsigned>(64 - 8 * type.bytes);
-    const auto extended = static_cast<std::int64_t>(raw << shift) >> shift;
-    values.push_back(
-        static_cast<Number>(type.is_signed ? extended : static_cast<std::int64_t>(raw)));
+  for (std::size_t start = 0; start < bytes.size(); start += type.bytes) {
+    if (places != nullptr) places->push_back(first + (compressed_ ? 0 : start));
+    values.push_back(number_at<Number>(bytes.data() + start, type, big_endian_));
   }
   return values;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <optional>
 #include <pugixml.hpp>
 
+#include "io/text/numbers.h"
 #include "io/text/source.h"
 
 namespace winslow::io::vtk {
@@ -36,12 +36,7 @@ class VtuArrays {
                                      Count count = {}) const;
 
  private:
-  struct Type {
-    bool floating;
-    bool is_signed;
-    std::size_t bytes;
-  };
-  Type type_of(const pugi::xml_node& array) const;
+  BinaryNumber type_of(const pugi::xml_node& array) const;
   std::string_view inline_text(const pugi::xml_node& array) const;
   std::string bytes_of(const pugi::xml_node& array, std::size_t& first, Count count) const;
   std::string appended_bytes(const pugi::xml_node& array, std::size_t& first, Count count) const;
@@ -51,7 +46,7 @@ class VtuArrays {
   std::string base64_content(std::string_view text, const pugi::xml_node& array, Count count) const;
   void check_sizes(std::string_view stream, const pugi::xml_node& array, Count count) const;
   std::string inflated(std::string_view stream, const pugi::xml_node& array, Count count) const;
-  std::uint64_t integer_at(std::string_view bytes, std::size_t at, std::size_t width) const;
+  std::uint64_t integer_at(std::string_view bytes, std::size_t begin, std::size_t width) const;
   [[noreturn]] void fail(const pugi::xml_node& array, const std::string& found,
                          const std::string& expected) const;
   template <class Number>

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/mesh/mesh_data.h"
-#include "io/cgns/tree_file.h"
+#include "io/cgns/tree.h"
 #include "io/support/samples.h"
 
 /// CGNS files as other programs write them: by the upper layer of libcgns, which winslow does not

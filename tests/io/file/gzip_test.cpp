@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "io/file/atomic_file.h"
 #include "io/support/samples.h"
-#include "io/tables/displacement_file.h"
+#include "io/tables/table_files.h"
 
 namespace winslow::test {
 namespace {

@@ -35,7 +35,7 @@ struct ExportMesh {
   std::filesystem::path path;
   bool overwrite = false;
 };
-/// Writes markers as curves (io/tables/boundary_file.h).
+/// Writes markers as curves (io/tables/table_files.h).
 struct ExportMarkers {
   std::filesystem::path path;
   std::vector<Index> markers;  ///< empty: those selected or, without a selection, all

@@ -5,8 +5,7 @@
 #include "gui/document/actions/actions.h"
 #include "gui/files/assets.h"
 #include "io/recipe/recipe.h"
-#include "io/tables/boundary_file.h"
-#include "io/tables/convergence_csv.h"
+#include "io/tables/table_files.h"
 
 namespace winslow::gui {
 

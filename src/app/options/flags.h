@@ -1,0 +1,133 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "core/command/command.h"
+#include "core/layers/layer_plan.h"
+#include "core/options/option.h"
+#include "io/format/mesh_file.h"
+
+namespace winslow::app {
+
+/// "; did you mean X?" for the name in `known` that is nearest to `unknown`, "" if none is near.
+std::string suggest(std::string_view unknown, const std::vector<std::string>& known);
+
+/// "a, b, c".
+std::string join(const std::vector<std::string>& names);
+
+/// Accepts one of some names; the message for any other lists them and suggests the nearest.
+CLI::Validator one_of(std::vector<std::string> names);
+/// Accepts everything; shells offer these words (words_of()).
+CLI::Validator words_to_offer(const std::vector<std::string>& words);
+/// The names that an option takes, of its one_of() or words_to_offer(); empty: it has neither.
+std::vector<std::string> words_of(CLI::Option& option);
+
+/// Declares flags under one heading of the help.
+class FlagGroup {
+ public:
+  explicit FlagGroup(CLI::App& app, std::string heading = "Options")
+      : app_(app), heading_(std::move(heading)) {}
+
+  /// A flag with values of a type that help and messages call `takes`.
+  template <class Value>
+  CLI::Option* value(const char* names, Value& to, const char* takes, const std::string& help) {
+    return app_.add_option(names, to, help)->type_name(takes)->group(heading_);
+  }
+  /// A flag after which the help says nothing but `takes`: "N [500]".
+  template <class Value>
+  CLI::Option* value_as(const char* names, Value& to, const std::string& takes,
+                        const std::string& help) {
+    return app_.add_option(names, to, help)->option_text(takes)->group(heading_);
+  }
+  CLI::Option* on(const char* name, bool& to, const std::string& help) {
+    return app_.add_flag(name, to, help)->group(heading_);
+  }
+
+ private:
+  CLI::App& app_;
+  std::string heading_;
+};
+
+/// Files of a job that changes a mesh, and what is said about it.
+struct JobFiles {
+  std::string input;
+  int zone = 0;  ///< of a file of several zones; 0: all of them
+  std::string output;
+  std::string report;       ///< JSON; empty: none
+  std::string history;      ///< CSV; empty: none
+  std::string save_recipe;  ///< JSON; empty: none
+  bool allow_inverted = false;
+  bool accept_partial = false;  ///< write the last valid mesh of a motion that was not completed
+  bool quiet = false;
+  io::WriteOptions encoding;
+};
+
+void add_input(CLI::App& app, std::string& input);
+/// Declares --zone; `without`: what is done where it is not given.
+void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
+/// Declares --zone, -o, --report, --history, --allow-inverted, --accept-partial, --quiet and those
+/// of add_encoding_flags.
+void add_job_flags(CLI::App& app, JobFiles& files);
+/// Declares --save-recipe.
+void add_recipe_flag(CLI::App& app, JobFiles& files);
+/// Declares --binary, --ascii, --gmsh-version, --cgns-container.
+void add_encoding_flags(CLI::App& app, io::WriteOptions& encoding);
+void add_quiet_flag(CLI::App& app, bool& quiet);
+
+/// Throws before hours are spent: UsageError if the extension of a mesh is unknown, OutputError if
+/// its folder does not exist or cannot be written to. An empty path is fine.
+void check_mesh_output(const std::string& path);
+/// The same for any other file.
+void check_output(const std::string& path);
+/// Throws UsageError if two of the files that are to be written are the same.
+void check_distinct(const std::vector<std::string>& paths);
+
+/// Declares a flag for each option of a table that has one: what it takes is checked as it is
+/// parsed. The object that the table is bound to must outlive the parsing.
+void add_option_flags(CLI::App& app, const OptionTable& table, const std::string& group);
+
+/// What the help says after a flag: "N [500]", "auto|on|off [auto]".
+std::string flag_text(const Option& option);
+/// What the help says of an option, and of what there is to choose from.
+std::string flag_help(const Option& option);
+
+/// Declares a flag for each option of smoothing. `options` must outlive the parsing.
+void add_smooth_flags(CLI::App& app, SmoothOptions& options);
+
+/// Declares --min-quality, which may be given several times.
+void add_min_quality_flag(CLI::App& app, QualityFloor& floor);
+
+/// Declares --direct.
+void add_direct_flag(CLI::App& app, MotionOptions& options);
+
+/// Declares --marker, which may be given several times.
+void add_marker_flag(CLI::App& app, std::vector<std::string>& markers);
+
+/// The options that say where layers go and how high they are.
+class LayerFlags {
+ public:
+  /// Declares --marker, --wall, --count, --first, ... This object must outlive the parsing.
+  void declare(CLI::App& app);
+  /// Puts the walls and overrides that were asked for into the options. Throws UsageError.
+  void finish(LayerOptions& options) const;
+
+ private:
+  std::vector<std::string> markers_, walls_, columns_;
+  LayerSpacing spacing_;
+  std::optional<double> y_plus_, reynolds_;
+  double length_ = 1;
+};
+
+/// Declares --hold-layers: walls whose layers keep their heights while bodies move.
+void add_hold_layers_flag(CLI::App& app, std::vector<std::string>& markers);
+/// The command, preceded by one that finds and holds the layers at these walls, if any are named.
+std::vector<Command> holding_layers(const std::vector<std::string>& markers,
+                                    const SmoothOptions& smooth, Command command);
+
+/// "NAME[,NAME]:count=20,first=1e-5,...", what is not said as in `common`. Keys are those of
+/// LayerSpacing and of WallPart. Throws UsageError.
+LayerWall parse_wall(const std::string& text, const LayerSpacing& common);
+/// "NODE:columns=3,thickness=0.01", of which one may be missing. Throws UsageError.
+ColumnOverride parse_column(const std::string& text);
+
+}  // namespace winslow::app
