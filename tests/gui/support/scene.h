@@ -30,7 +30,7 @@ class Scene {
 
   Image draw(const MeshStyle& style) {
     target.clear({1, 1, 1, 1});
-    renderer.draw(camera, style, side_, side_);
+    renderer.draw(camera, style, side_);
     return target.read();
   }
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/error.h"
+#include "gui/render/draw_list.h"
 #include "gui/render/gl.h"
-#include "gui/render/line_density.h"
 
 namespace winslow::gui {
 

@@ -3,7 +3,7 @@
 #include "core/inspect/space/section_index.h"
 #include "core/strategy/surface_shape.h"
 #include "gui/base/background.h"
-#include "gui/document/jobs/quality_monitor.h"
+#include "gui/document/session/quality_watch.h"
 #include "gui/document/session/session.h"
 #include "gui/render/space/volume_scene.h"
 #include "gui/settings/view_options.h"

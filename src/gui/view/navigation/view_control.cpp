@@ -146,7 +146,7 @@ void ViewControl::on(const action::AddCut& a) {
 
 void ViewControl::on(const action::AddCutAcrossView&) {
   if (session_.kind() != MeshKind::volume) return;
-  const SpaceCamera& camera = space().camera();
+  const SpaceCamera& camera = space().view();
   Index axis = 0;
   camera.back().cwiseAbs().maxCoeff(&axis);
   const Vec3 normal = (camera.back()[axis] < 0 ? -1 : 1) * Vec3::Unit(axis);

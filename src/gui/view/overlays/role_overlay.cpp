@@ -1,7 +1,7 @@
 #include "gui/view/overlays/role_overlay.h"
 
 #include "gui/base/text.h"
-#include "gui/view/overlays/hidden_places.h"
+#include "gui/render/space/space_scene.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -163,8 +163,8 @@ void RoleOverlay::find_in_plane(const ViewOverlay& o, const NodeRoles& roles) {
 
 /// Nodes of bodies, and of what moves; of what encloses them and stays there is nothing to be said,
 /// and what a cut takes away of it is not there.
-void RoleOverlay::find_in_space(const ViewOverlay& o, const VolumeScenes& scenes,
-                                const NodeRoles& roles) {
+void RoleOverlay::find_in_picture(const ViewOverlay& o, const VolumeScenes& scenes,
+                                  const NodeRoles& roles) {
   const VolumeBoundary& boundary = *o.session.document()->boundary();
   const Topology& topology = *o.session.topology();
   const Coordinates& x = o.session.coordinates();
@@ -188,7 +188,7 @@ void RoleOverlay::find_in_space(const ViewOverlay& o, const VolumeScenes& scenes
     const auto [at, depth] = o.view.project(x.xyz(node));
     places.push_back({at, depth, !o.view.viewport().contains(at)});
   }
-  hide_behind(o.view, scenes, places);
+  hide_behind(o.view, scenes.parts, scenes.planes, places);
   for (std::size_t k = 0; k < nodes.size(); ++k)
     if (!places[k].hidden)
       dots_.push_back({places[k].at, roles.roles[at(nodes[k])],
@@ -210,7 +210,7 @@ void RoleOverlay::draw(ImDrawList& list, const ViewOverlay& o, const VolumeView&
   if (key_ != now) {
     key_ = now;
     dots_.clear();
-    in_space ? find_in_space(o, *scenes, *roles) : find_in_plane(o, *roles);
+    in_space ? find_in_picture(o, *scenes, *roles) : find_in_plane(o, *roles);
   }
   for (const auto& [a, b] : roles->features)
     list.AddLine(static_cast<ImVec2>(o.view.project(place_of(x, a)).at),
