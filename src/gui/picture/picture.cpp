@@ -5,7 +5,7 @@
 #include "core/inspect/nodal_view.h"
 #include "gui/picture/frame/picture_frame.h"
 #include "gui/render/color_scale.h"
-#include "gui/render/gl_context.h"
+#include "gui/render/gl.h"
 #include "gui/view/overlays/vcv_overlay.h"
 
 namespace winslow::gui {

@@ -214,10 +214,7 @@ void MeshRenderer::draw(const Camera& camera, const MeshStyle& style, int frameb
   glViewport(port.x, port.y, port.width, port.height);
   glScissor(part.x, part.y, part.width, part.height);
   glEnable(GL_SCISSOR_TEST);
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_FUNC_ADD);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  draw_over();
   buffers.begin(camera);
   draw_surface(buffers, style);
   draw_lines(buffers, style, marker_styles_);

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <map>
-#include <memory>
 #include <set>
 
 #include "gui/base/input.h"

@@ -6,7 +6,7 @@
 
 #include "core/mesh/mesh.h"
 #include "gui/render/frame_buffer.h"
-#include "gui/render/gl_context.h"
+#include "gui/render/gl.h"
 #include "gui/render/mesh_renderer.h"
 #include "gui/render/space/space_renderer.h"
 

@@ -181,24 +181,6 @@ std::optional<SpacePivot> pivot_at(const PivotSource& source, const Coordinates&
   return pivot;
 }
 
-const char* pivot_from_name(PivotFrom from) {
-  switch (from) {
-    case PivotFrom::centre:
-      return "centre";
-    case PivotFrom::typed:
-      return "numbers";
-    case PivotFrom::node:
-      return "node";
-    case PivotFrom::edge:
-      return "edge";
-    case PivotFrom::nodes:
-      return "two nodes";
-    case PivotFrom::face:
-      return "face";
-  }
-  return "";
-}
-
 RigidMotion motion_of(bool in_plane, double rotate, const Vec3& translate, const Vec3& pivot,
                       const Vec3& axis) {
   if (in_plane) return {rotate, GivenVector::of(2, pivot), GivenVector::of(2, translate)};

@@ -77,12 +77,10 @@ bool LayerPreview::update(const Mesh* mesh) {
   making_ = key_;
   worker_.start([mesh = *mesh, options = *wanted_] {
     Outcome outcome{mesh, options, nullptr, {}};
-    try {
+    outcome.error = error_of([&] {
       outcome.plan =
           std::make_shared<const LayerStack>(sound_plan(mesh, with_counts(options, mesh)));
-    } catch (const std::exception& error) {
-      outcome.error = error.what();
-    }
+    });
     return outcome;
   });
   return news;

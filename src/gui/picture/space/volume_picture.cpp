@@ -12,7 +12,7 @@
 #include "gui/picture/figure/vector_figure.h"
 #include "gui/picture/frame/picture_frame.h"
 #include "gui/picture/space/scene_figure.h"
-#include "gui/render/gl_context.h"
+#include "gui/render/gl.h"
 #include "gui/render/space/space_renderer.h"
 #include "gui/view/overlays/foot_overlay.h"
 #include "gui/view/overlays/vcv_overlay.h"

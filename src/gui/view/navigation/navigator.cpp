@@ -70,43 +70,9 @@ void Navigator::begin_mesh() {
   if (session_.document()) camera_control().begin(options_);
 }
 
-void Navigator::on(const action::FitView&) {
-  if (!session_.document()) return;
-  leave();
-  camera_control().fit_all();
-}
-
-void Navigator::on(const action::FitSelection&) {
-  on(action::FitMarkers{session_.selection().markers()});
-}
-
-void Navigator::on(const action::FitMarkers& a) {
-  if (!session_.document()) return;
-  leave();
-  camera_control().fit_markers(a.markers);
-}
-
-void Navigator::on(const action::FitBodies&) {
-  if (!session_.document()) return;
-  leave();
-  camera_control().fit_bodies();
-}
-
-void Navigator::on(const action::LookAt& a) {
-  if (!session_.document()) return;
-  leave();
-  camera_control().look_around(a.point, a.radius);
-  stay_above_card();
-}
-
-void Navigator::on(const action::ZoomToScreen& a) {
-  if (!session_.document()) return;
-  leave();
-  camera_control().zoom_to(a.box, a.depth);
-}
-
 void Navigator::on(const action::LookFrom& a) {
-  if (!session_.in_space()) return;
+  // The plane is seen from above.
+  if (!camera_control().view().turns()) return;
   leave();
   space_.look_from(named_view(a.name, options_.space.up));
 }

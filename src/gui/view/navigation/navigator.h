@@ -54,12 +54,17 @@ class Navigator {
   SpaceControl& space() { return space_; }
 
   void apply(const CameraAction& action) { Dispatch::to(*this, action); }
-  void on(const action::FitView&);
-  void on(const action::FitSelection&);
-  void on(const action::FitBodies&);
-  void on(const action::FitMarkers& a);
-  void on(const action::LookAt& a);
-  void on(const action::ZoomToScreen& a);
+  void on(const action::FitView&) { jump(&CameraControl::fit_all); }
+  void on(const action::FitBodies&) { jump(&CameraControl::fit_bodies); }
+  void on(const action::FitMarkers& a) { jump(&CameraControl::fit_markers, a.markers); }
+  void on(const action::FitSelection&) {
+    jump(&CameraControl::fit_markers, session_.selection().markers());
+  }
+  void on(const action::LookAt& a) {
+    jump(&CameraControl::look_around, a.point, a.radius);
+    stay_above_card();
+  }
+  void on(const action::ZoomToScreen& a) { jump(&CameraControl::zoom_to, a.box, a.depth); }
   void on(const action::LookFrom& a);
   void on(const action::BackView&) { look_there(history_.back(looked_at())); }
   void on(const action::ForwardView&) { look_there(history_.forward()); }
@@ -94,9 +99,15 @@ class Navigator {
   }
   /// Before the view jumps elsewhere.
   void leave() { history_.leave(looked_at()); }
+  template <class... Parameters, class... Arguments>
+  void jump(void (CameraControl::*how)(Parameters...), const Arguments&... arguments) {
+    if (!session_.document()) return;
+    leave();
+    (camera_control().*how)(arguments...);
+  }
   /// After it: what is looked at is not under the card.
   void stay_above_card() {
-    if (card_) camera_control().look_above(*card_);
+    if (card_ && session_.document()) camera_control().look_above(*card_);
   }
 
   const Session& session_;

@@ -156,7 +156,7 @@ void ViewControl::on(const action::AddCutAcrossView&) {
 }
 
 void ViewControl::on(const action::ShowLook& a) {
-  if (!session_.in_space()) return;
+  if (!view().turns()) return;
   options_.space.cuts = a.look.cuts;
   options_.space.peel.on = false;
   options_.space.up = a.look.up;
@@ -182,7 +182,7 @@ void ViewControl::on(const action::AskGoTo&) {
 }
 
 void ViewControl::on(const action::PinMagnifier&) {
-  if (!session_.document() || session_.in_space()) return;
+  if (!session_.document() || view().turns()) return;
   if (options_.magnifier.on && options_.magnifier.pin) {
     options_.magnifier.pin.reset();
     options_.magnifier.on = false;
