@@ -14,13 +14,41 @@ std::uint64_t edge_key(Index a, Index b) {
   return (high << 32U) | low;
 }
 
-/// Fills a DrawList whose vertices are the nodes.
-class WholeMesh {
+/// What fills a DrawList with a mesh.
+class MeshFiller {
+ protected:
+  MeshFiller(const Topology& topology, const Coordinates& coordinates, const Vec2& origin)
+      : topology_(topology), coordinates_(coordinates) {
+    list_.origin << origin, 0;
+  }
+
+  void add_position(const Vec2& world) {
+    const Vec2 p = world - list_.origin.head<2>();
+    list_.positions.push_back(static_cast<float>(p.x()));
+    list_.positions.push_back(static_cast<float>(p.y()));
+  }
+  double shortest_edge(Index node) const {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Index j : topology_.neighbours(node))
+      shortest = std::min(shortest, (coordinates_.xy(j) - coordinates_.xy(node)).squaredNorm());
+    return std::sqrt(shortest);
+  }
+  /// Corners of the triangles of an element, three each.
+  std::array<int, 6> cut(std::span<const Index> corners) const {
+    return corners.size() == 4 ? cut_quadrilateral(coordinates_, corners)
+                               : std::array<int, 6>{0, 1, 2, 0, 0, 0};
+  }
+
+  const Topology& topology_;
+  const Coordinates& coordinates_;
+  DrawList list_;
+};
+
+/// Its vertices are the nodes.
+class WholeMesh : MeshFiller {
  public:
   WholeMesh(const Topology& topology, const Coordinates& coordinates, const Vec2& origin)
-      : topology_(topology), coordinates_(coordinates) {
-    list_.origin = {origin.x(), origin.y(), 0};
-  }
+      : MeshFiller(topology, coordinates, origin) {}
 
   DrawList build(const EdgeGroups& groups) {
     add_nodes();
@@ -44,16 +72,8 @@ class WholeMesh {
     list_.positions.reserve(2 * n);
     list_.node_spacing.assign(n, 0.0f);
     for (Index i = 0; i < coordinates_.size(); ++i) {
-      const Vec2 p = coordinates_.xy(i) - list_.origin.head<2>();
-      list_.positions.push_back(static_cast<float>(p.x()));
-      list_.positions.push_back(static_cast<float>(p.y()));
-      double shortest = std::numeric_limits<double>::infinity();
-      for (const Index j : topology_.neighbours(i)) {
-        shortest = std::min(shortest, (coordinates_.xy(j) - coordinates_.xy(i)).squaredNorm());
-      }
-      if (topology_.used(i)) {
-        list_.node_spacing[at(i)] = static_cast<float>(std::sqrt(shortest));
-      }
+      add_position(coordinates_.xy(i));
+      if (topology_.used(i)) list_.node_spacing[at(i)] = static_cast<float>(shortest_edge(i));
     }
   }
 
@@ -64,8 +84,7 @@ class WholeMesh {
     if (with_lines) list_.triangle_lines.reserve(2 * elements);
     for (Index e = 0; e < topology_.element_count(); ++e) {
       const auto corners = topology_.element(e);
-      std::array<int, 6> cut{0, 1, 2, 0, 0, 0};
-      if (corners.size() == 4) cut = cut_quadrilateral(coordinates_, corners);
+      const std::array<int, 6> cut = this->cut(corners);
       const std::size_t used = corners.size() == 4 ? 6 : 3;
       const bool inverted = is_inverted(coordinates_, corners);
       for (std::size_t k = 0; k < used; ++k) {
@@ -117,10 +136,6 @@ class WholeMesh {
     list_.lines.push_back(static_cast<std::uint32_t>(b));
     list_.line_spacing.push_back(static_cast<float>(spacing));
   }
-
-  const Topology& topology_;
-  const Coordinates& coordinates_;
-  DrawList list_;
 };
 
 }  // namespace
@@ -150,12 +165,10 @@ DrawList whole_draw_list(const Topology& topology, const EdgeGroups& groups,
 namespace {
 
 /// Fills a DrawList with what a box cuts out; every piece has vertices of its own.
-class ClippedMesh {
+class ClippedMesh : MeshFiller {
  public:
   ClippedMesh(const Topology& topology, const Coordinates& coordinates, const Bounds& box)
-      : topology_(topology), coordinates_(coordinates), box_(box) {
-    list_.origin << box.centre(), 0;
-  }
+      : MeshFiller(topology, coordinates, box.centre()), box_(box) {}
 
   DrawList build(const EdgeGroups& groups) {
     for (Index e = 0; e < topology_.element_count(); ++e) add_element(e);
@@ -178,9 +191,7 @@ class ClippedMesh {
 
  private:
   std::uint32_t add_vertex(const Vec2& world, double spacing = 0) {
-    const Vec2 p = world - list_.origin.head<2>();
-    list_.positions.push_back(static_cast<float>(p.x()));
-    list_.positions.push_back(static_cast<float>(p.y()));
+    add_position(world);
     list_.node_spacing.push_back(static_cast<float>(spacing));
     return static_cast<std::uint32_t>(list_.node_spacing.size() - 1);
   }
@@ -199,8 +210,7 @@ class ClippedMesh {
     const auto corners = topology_.element(e);
     if (misses_box(corners)) return;
     const bool inverted = is_inverted(coordinates_, corners);
-    std::array<int, 6> cut{0, 1, 2, 0, 0, 0};
-    if (corners.size() == 4) cut = cut_quadrilateral(coordinates_, corners);
+    const std::array<int, 6> cut = this->cut(corners);
     for (std::size_t t = 0; t + 2 < corners.size(); ++t) {
       std::array<Vec2, 3> triangle;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -263,17 +273,10 @@ class ClippedMesh {
         (p.array() > box_.max.array()).any()) {
       return;
     }
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const Index j : topology_.neighbours(node)) {
-      shortest = std::min(shortest, (coordinates_.xy(j) - p).squaredNorm());
-    }
-    add_vertex(p, std::sqrt(shortest));
+    add_vertex(p, shortest_edge(node));
   }
 
-  const Topology& topology_;
-  const Coordinates& coordinates_;
   const Bounds box_;
-  DrawList list_;
   std::vector<Index> edges_;  // of the lines added by add_edges
 };
 

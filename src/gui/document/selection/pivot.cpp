@@ -71,20 +71,25 @@ Vec2 mean(const std::vector<Vec2>& points) {
   return sum / static_cast<double>(points.size());
 }
 
+/// In the order of PivotPlace.
+struct NamedAnchor {
+  const char* name;
+  Vec2 BodyAnchors::*point;
+};
+constexpr std::array<NamedAnchor, 4> named_anchors{
+    {{"centre", &BodyAnchors::centre},
+     {"centroid", &BodyAnchors::centroid},
+     {"leading edge", &BodyAnchors::leading_edge},
+     {"trailing edge", &BodyAnchors::trailing_edge}}};
+
 }  // namespace
 
 const Vec2& BodyAnchors::at(PivotPlace place) const {
-  switch (place) {
-    case PivotPlace::centroid:
-      return centroid;
-    case PivotPlace::leading_edge:
-      return leading_edge;
-    case PivotPlace::trailing_edge:
-      return trailing_edge;
-    case PivotPlace::centre:
-      break;
-  }
-  return centre;
+  return this->*named_anchors[static_cast<std::size_t>(place)].point;
+}
+
+const char* pivot_place_name(PivotPlace place) {
+  return named_anchors[static_cast<std::size_t>(place)].name;
 }
 
 BodyAnchors find_anchors(const std::vector<std::vector<Index>>& loops,
@@ -124,20 +129,6 @@ BodyAnchors find_anchors(const std::vector<std::vector<Index>>& loops,
   for (int axis : {0, 1})
     if (std::abs(anchors.centroid[axis]) < tiny) anchors.centroid[axis] = 0;
   return anchors;
-}
-
-const char* pivot_place_name(PivotPlace place) {
-  switch (place) {
-    case PivotPlace::centroid:
-      return "centroid";
-    case PivotPlace::leading_edge:
-      return "leading edge";
-    case PivotPlace::trailing_edge:
-      return "trailing edge";
-    case PivotPlace::centre:
-      break;
-  }
-  return "centre";
 }
 
 namespace {

@@ -43,13 +43,14 @@ void HistoryEditor::on(const action::GoToStep& a) {
 }
 
 bool HistoryEditor::may_change() {
+  if (!mesh_.document()) return false;
   if (!mesh_.in_motion() && !mesh_.work().held().body) return true;
   messages_.tell(Notice::Kind::warning, "Wait until the solver is done, or cancel it.");
   return false;
 }
 
 void HistoryEditor::on(const action::EditStep& a) {
-  if (!mesh_.document() || !may_change()) return;
+  if (!may_change()) return;
   const History& history = mesh_.document()->history();
   if (a.position == 0 || a.position >= history.size()) return;
   CommandQueue::Plan plan;
@@ -60,7 +61,7 @@ void HistoryEditor::on(const action::EditStep& a) {
 }
 
 void HistoryEditor::on(const action::DeleteStep& a) {
-  if (!mesh_.document() || !may_change()) return;
+  if (!may_change()) return;
   const History& history = mesh_.document()->history();
   if (a.position == 0 || a.position >= history.size()) return;
   CommandQueue::Plan plan;

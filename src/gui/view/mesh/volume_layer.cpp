@@ -61,8 +61,6 @@ using Flags = VolumeScenes::Memory::Flags;
 using Painted = VolumeScenes::Memory::Painted;
 using PartKey = VolumeScenes::Memory::PartKey;
 
-Plane plane_of(const CutPlane& cut) { return {Vec3(cut.point.data()), Vec3(cut.normal.data())}; }
-
 bool boundary_stays(const VolumeWish& a, const VolumeWish& b) {
   if (a.mesh == b.mesh) return true;
   if (a.boundary != b.boundary) return false;

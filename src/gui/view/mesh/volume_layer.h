@@ -11,6 +11,14 @@
 
 namespace winslow::gui {
 
+inline Plane plane_of(const CutPlane& cut) {
+  return {Vec3(cut.point.data()), Vec3(cut.normal.data())};
+}
+/// normal: of any length but 0.
+inline CutPlane cut_through(const Vec3& point, const Vec3& normal) {
+  return {{point.x(), point.y(), point.z()}, {normal.x(), normal.y(), normal.z()}};
+}
+
 /// What is wanted of a picture of a mesh in space: all that its scene depends on.
 struct VolumeWish {
   std::uint64_t generation = 0, shape = 0;

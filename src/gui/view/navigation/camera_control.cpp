@@ -1,5 +1,7 @@
 #include "gui/view/navigation/camera_control.h"
 
+#include "gui/view/mesh/volume_layer.h"
+
 namespace winslow::gui {
 
 namespace {
@@ -117,7 +119,7 @@ Box<3> around(const Vec3& point, double radius) {
 std::vector<Plane> planes_of(const std::vector<CutPlane>& cuts) {
   std::vector<Plane> planes;
   for (const CutPlane& cut : cuts)
-    if (cut.on) planes.emplace_back(Vec3(cut.point.data()), Vec3(cut.normal.data()));
+    if (cut.on) planes.push_back(plane_of(cut));
   return planes;
 }
 
@@ -183,13 +185,8 @@ std::vector<CutPlane> SpaceControl::first_cuts() const {
   const Document& document = *session_.document();
   std::vector<CutPlane> cuts;
   for (const Plane& plane :
-       automatic_cuts(document.state().mesh, *document.boundary(), automatic_view({}))) {
-    CutPlane& cut = cuts.emplace_back();
-    for (Index k = 0; k < 3; ++k) {
-      cut.point[at(k)] = plane.point()[k];
-      cut.normal[at(k)] = plane.normal()[k];
-    }
-  }
+       automatic_cuts(document.state().mesh, *document.boundary(), automatic_view({})))
+    cuts.push_back(cut_through(plane.point(), plane.normal()));
   return cuts;
 }
 

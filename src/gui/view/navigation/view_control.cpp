@@ -1,6 +1,7 @@
 #include "gui/view/navigation/view_control.h"
 
 #include "gui/view/mesh/mesh_colors.h"
+#include "gui/view/mesh/volume_layer.h"
 #include "gui/view/navigation/go_to.h"
 
 namespace winslow::gui {
@@ -135,13 +136,8 @@ void ViewControl::on(const action::InspectNode& a) {
 
 void ViewControl::on(const action::AddCut& a) {
   if (session_.kind() != MeshKind::volume || options_.space.cuts.size() >= most_cuts) return;
-  CutPlane cut;
-  for (Index k = 0; k < 3; ++k) {
-    cut.point[at(k)] = a.point[k];
-    cut.normal[at(k)] = a.normal[k];
-  }
   state_.cut = options_.space.cuts.size();
-  options_.space.cuts.push_back(cut);
+  options_.space.cuts.push_back(cut_through(a.point, a.normal));
 }
 
 void ViewControl::on(const action::AddCutAcrossView&) {

@@ -151,21 +151,10 @@ std::vector<Gizmo::RingPoint> ring_about(const View& view, const Gizmo& g, int a
 }
 
 double reach_of(Kind kind) {
-  switch (kind) {
-    case Kind::centre:
-      return centre_reach;
-    case Kind::arrow:
-      return arrow_reach;
-    case Kind::ring:
-    case Kind::screen_ring:
-      return ring_reach;
-    case Kind::pin:
-      return pin_reach;
-    case Kind::square:
-    case Kind::none:
-      break;
-  }
-  return 0;
+  // In the order of Handle::Kind; squares are taken within.
+  constexpr std::array<double, 7> reach{0,          centre_reach, arrow_reach, 0,
+                                        ring_reach, ring_reach,   pin_reach};
+  return reach[static_cast<std::size_t>(kind)];
 }
 
 /// Radius of the ring in the plane, pixels: seen from afar it stays large enough to take, seen from
