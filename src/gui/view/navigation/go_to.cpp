@@ -31,7 +31,7 @@ const KindWords& words_of(MeshKind kind) {
        {"Expected a node (n123), an element (e45), a face (f12, wing 12), a point (0.5, 0.1, 2), "
         "\"worst 3\" or a marker.",
         "Faces on", "scaled Jacobian", true}}};
-  return words[at(kind)];
+  return words[static_cast<std::size_t>(kind)];
 }
 
 std::string trimmed(const std::string& text) {
@@ -365,7 +365,7 @@ std::optional<MeshItem> next_worst(const Session& session, const ViewOptions& vi
   const auto last = static_cast<std::ptrdiff_t>(worst.size()) - 1;
   std::ptrdiff_t next = 0;
   if (here != worst.end()) next = std::clamp<std::ptrdiff_t>((here - worst.begin()) + by, 0, last);
-  return MeshItem{MeshItem::Kind::element, worst[at(next)].element};
+  return MeshItem{MeshItem::Kind::element, worst[static_cast<std::size_t>(next)].element};
 }
 
 }  // namespace winslow::gui
