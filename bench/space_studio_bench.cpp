@@ -16,7 +16,6 @@
 
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
-#include "gui/render/gl_context.h"
 #include "gui/shell/workbench/workbench.h"
 #include "io/format/mesh_format.h"
 

@@ -8,7 +8,7 @@
 #include "core/command/motion_frames.h"
 #include "core/error.h"
 #include "core/inspect/element_field.h"
-#include "gui/picture/figure/write_figure.h"
+#include "gui/picture/figure/vector_figure.h"
 #include "gui/picture/picture.h"
 #include "gui/render/color_scale.h"
 #include "io/format/mesh_file.h"

@@ -4,7 +4,7 @@
 #include "app/subcommands/render_flags.h"
 #include "core/error.h"
 #include "core/inspect/element_field.h"
-#include "gui/picture/figure/write_figure.h"
+#include "gui/picture/figure/vector_figure.h"
 #include "gui/picture/picture.h"
 #include "gui/picture/space/volume_picture.h"
 

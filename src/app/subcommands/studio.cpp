@@ -6,7 +6,7 @@
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
 #include "gui/picture/capture/film.h"
-#include "gui/picture/figure/write_figure.h"
+#include "gui/picture/figure/vector_figure.h"
 #include "gui/shell/headless/headless_studio.h"
 #include "gui/shell/studio.h"
 

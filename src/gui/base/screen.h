@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 /// Places on screen. They are no places of a mesh: types of their own, which neither become nor
 /// come from a Vec2, so that only a view or a camera leads from one to the other.
@@ -21,6 +24,8 @@ class ScreenVector {
   constexpr double y() const { return y_; }
   constexpr double operator[](int axis) const { return axis == 0 ? x_ : y_; }
   constexpr double dot(const ScreenVector& other) const { return x_ * other.x_ + y_ * other.y_; }
+  /// Positive where the other one lies clockwise, as it is seen on screen.
+  constexpr double cross(const ScreenVector& other) const { return x_ * other.y_ - y_ * other.x_; }
   constexpr double squared_norm() const { return dot(*this); }
   double norm() const { return std::sqrt(squared_norm()); }
 
@@ -81,6 +86,43 @@ class ScreenPoint {
 
 constexpr ScreenPoint midpoint(const ScreenPoint& a, const ScreenPoint& b) {
   return {0.5 * (a.x() + b.x()), 0.5 * (a.y() + b.y())};
+}
+
+/// Of a point from a line between two others, pixels.
+inline double distance_to_segment(const ScreenPoint& p, const ScreenPoint& a,
+                                  const ScreenPoint& b) {
+  const ScreenVector along = b - a;
+  const double t = std::clamp((p - a).dot(along) / std::max(along.squared_norm(), 1e-30), 0.0, 1.0);
+  return (p - a - t * along).norm();
+}
+
+// Of places on screen, and of points of the plane.
+
+/// A line from a to b crosses the ray from p to the right: of the sides of a polygon around p an
+/// odd number do.
+template <class Point>
+bool right_of(const Point& p, const Point& a, const Point& b) {
+  if ((a.y() > p.y()) == (b.y() > p.y())) return false;
+  return a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()) > p.x();
+}
+
+/// The part of a line from a to b that lies in a box, as shares of its length (Liang and Barsky:
+/// each side narrows it); none: nothing of it does.
+template <class Point, class Box>
+std::optional<std::array<double, 2>> part_within(const Point& a, const Point& b, const Box& box) {
+  double first = 0, last = 1;
+  for (const int axis : {0, 1}) {
+    const double by = b[axis] - a[axis];
+    if (by == 0) {
+      if (a[axis] < box.min[axis] || a[axis] > box.max[axis]) return std::nullopt;
+      continue;
+    }
+    const auto [near, far] =
+        std::minmax({(box.min[axis] - a[axis]) / by, (box.max[axis] - a[axis]) / by});
+    first = std::max(first, near);
+    last = std::min(last, far);
+  }
+  return first <= last ? std::optional(std::array{first, last}) : std::nullopt;
 }
 
 /// A rectangle on screen.

@@ -99,7 +99,7 @@ Image Thumbnails::draw(const Mesh& mesh) {
   style.fill_color = {0.90f, 0.93f, 0.98f, 1};
   style.edge_color = {0.22f, 0.35f, 0.60f, 1};
   style.boundary_width = 3;
-  renderer.draw(camera, style, width, height);
+  renderer.draw(camera, style, height);
   Image image = buffer.read();
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
   return image;

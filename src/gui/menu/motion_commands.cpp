@@ -5,7 +5,7 @@
 
 #include "gui/demos/demo_player.h"
 #include "gui/menu/bodies.h"
-#include "gui/view/tools/pivot_picker.h"
+#include "gui/view/tools/space_picker.h"
 
 namespace winslow::gui {
 

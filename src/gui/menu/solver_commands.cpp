@@ -3,7 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "gui/document/jobs/wall_layers.h"
+#include "gui/document/session/mesh_layers.h"
 #include "gui/menu/bodies.h"
 #include "gui/menu/user_command.h"
 

@@ -1,7 +1,6 @@
 #include "gui/panels/convergence_panel.h"
 
 #include "gui/base/text.h"
-#include "gui/render/ticks.h"
 #include "gui/widgets/controls.h"
 #include "gui/widgets/plot_frame.h"
 #include "gui/widgets/theme.h"

@@ -5,7 +5,7 @@
 #include "core/inspect/nodal_view.h"
 #include "gui/picture/frame/picture_frame.h"
 #include "gui/render/color_scale.h"
-#include "gui/render/gl_context.h"
+#include "gui/render/gl.h"
 #include "gui/view/overlays/vcv_overlay.h"
 
 namespace winslow::gui {
@@ -24,11 +24,40 @@ std::vector<double> field_values(const VirtualControlVolumes& vcv, const Mesh& m
   return element_values(vcv, mesh.coordinates, *options.color, 0, {.before = options.before.get()});
 }
 
-std::vector<NodalView> inspect_nodes(const VirtualControlVolumes& vcv, const Coordinates& x,
-                                     std::span<const Index> nodes) {
-  std::vector<NodalView> views;
-  for (const Index node : nodes) views.push_back(inspect_node(vcv, x, node));
-  return views;
+/// What a picture shows and says of a mesh, in pixels and as vector graphics.
+struct Content {
+  std::vector<NodalView> nodes;
+  std::vector<double> values;
+  ColorScale scale;  // of the values
+  std::vector<Rgb> marker_colors;
+  PictureText text;
+};
+
+Content content_of(const Mesh& mesh, const PictureOptions& options) {
+  check(options);
+  Content content;
+  const std::shared_ptr<const VirtualControlVolumes> vcv = make_state(mesh).vcvs.plane();
+  for (const Index node : options.vcvs)
+    content.nodes.push_back(inspect_node(*vcv, mesh.coordinates, node));
+  content.text.title = options.title;
+  content.text.warning = inverted_text(check_validity(*mesh.topology, mesh.coordinates).inverted);
+  if (options.color) {
+    content.values = field_values(*vcv, mesh, options);
+    content.scale = picture_colors(*options.color, options.colors, options.dark, content.values);
+    if (options.legend)
+      content.text.legend = picture_legend(*options.color, content.values, content.scale,
+                                           !content.text.warning.empty());
+  }
+  for (const Marker& marker : mesh.topology->markers()) {
+    const auto number = static_cast<Index>(content.marker_colors.size());
+    const Rgb color = content.marker_colors.emplace_back(marker_color(number, options.dark));
+    if (options.marker_key) content.text.key.emplace_back(marker.name, color);
+  }
+  return content;
+}
+
+void place_camera(Camera& camera, const Mesh& mesh, const PictureOptions& options) {
+  camera.fit(options.bounds.value_or(bounds(mesh)), options.bounds ? 0.0 : 0.01);
 }
 
 MeshStyle mesh_style(const PictureOptions& options, const PictureTheme& theme, float unit) {
@@ -46,85 +75,45 @@ MeshStyle mesh_style(const PictureOptions& options, const PictureTheme& theme, f
 }  // namespace
 
 Image draw_picture(const Mesh& mesh, const PictureOptions& options) {
-  check(options);
-  const std::shared_ptr<const VirtualControlVolumes> vcv = make_state(mesh).vcvs.plane();
-  const std::vector<NodalView> nodes = inspect_nodes(*vcv, mesh.coordinates, options.vcvs);
+  const Content content = content_of(mesh, options);
   const std::unique_ptr<HeadlessContext> context = make_headless_context();
   const FrameBuffer target(options.width, options.height, options.samples);
   const PictureTheme& theme = picture_theme(options.dark);
-
-  std::vector<double> values;
-  ColorScale scale;
-  PictureText text;
-  text.title = options.title;
-  text.warning = inverted_text(check_validity(*mesh.topology, mesh.coordinates).inverted);
-  if (options.color) {
-    values = field_values(*vcv, mesh, options);
-    scale = picture_colors(*options.color, options.colors, options.dark, values);
-    if (options.legend)
-      text.legend = picture_legend(*options.color, values, scale, !text.warning.empty());
-  }
-  const auto& markers = mesh.topology->markers();
-  for (std::size_t m = 0; m < markers.size() && options.marker_key; ++m) {
-    text.key.emplace_back(markers[m].name, marker_color(static_cast<Index>(m), options.dark));
-  }
-
-  PictureFrame frame(options.width, options.height, std::move(text), theme);
+  PictureFrame frame(options.width, options.height, content.text, theme);
   const auto& area = frame.mesh_area();
   Camera camera;
   camera.set_viewport(area[0], area[1], area[2], area[3]);
-  camera.fit(options.bounds.value_or(bounds(mesh)), options.bounds ? 0.0 : 0.01);
+  place_camera(camera, mesh, options);
 
   MeshRenderer renderer;
   renderer.set_mesh(mesh.topology, mesh.coordinates);
-  if (options.color) renderer.set_values(values, scale);
+  if (options.color) renderer.set_values(content.values, content.scale);
   std::vector<MeshRenderer::MarkerStyle> styles;
-  for (std::size_t m = 0; m < markers.size(); ++m) {
-    const Rgb c = marker_color(static_cast<Index>(m), options.dark);
+  for (const Rgb& c : content.marker_colors)
     styles.push_back({{c[0], c[1], c[2], 1}, 0.13f * frame.font_size()});
-  }
   renderer.set_marker_styles(std::move(styles));
 
   target.clear(theme.paper);
-  renderer.draw(camera, mesh_style(options, theme, frame.font_size()), options.width,
-                options.height);
+  renderer.draw(camera, mesh_style(options, theme, frame.font_size()), options.height);
   frame.draw(options.bounds.has_value(), [&](ImDrawList& list, ImFont* font) {
-    draw_vcvs(list, PlaneView(camera), nodes, 0.06f * frame.font_size(), font);
+    draw_vcvs(list, camera, content.nodes, 0.06f * frame.font_size(), font);
   });
   return target.read();
 }
 
 VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options) {
-  check(options);
-  VectorFigure figure;
+  Content content = content_of(mesh, options);
+  VectorFigure figure = begin_figure(content.text, options.dark, options.width, options.height);
   figure.mesh = mesh;
-  figure.title = options.title;
-  figure.warning = inverted_text(check_validity(*mesh.topology, mesh.coordinates).inverted);
   figure.wireframe = options.wireframe;
-  figure.dark = options.dark;
   figure.framed = options.bounds.has_value();
-  figure.font_size = std::clamp(0.02 * std::min(options.width, options.height), 8.0, 40.0);
   figure.edge_width = 0.05 * figure.font_size;
   figure.boundary_width = 0.13 * figure.font_size;
-  const std::shared_ptr<const VirtualControlVolumes> vcv = make_state(mesh).vcvs.plane();
-  figure.vcvs = inspect_nodes(*vcv, mesh.coordinates, options.vcvs);
-  if (options.color) {
-    figure.values = field_values(*vcv, mesh, options);
-    figure.scale = picture_colors(*options.color, options.colors, options.dark, figure.values);
-    if (options.legend)
-      figure.legend =
-          picture_legend(*options.color, figure.values, *figure.scale, !figure.warning.empty());
-  }
-  const auto& markers = mesh.topology->markers();
-  for (std::size_t m = 0; m < markers.size(); ++m) {
-    const Rgb color = marker_color(static_cast<Index>(m), options.dark);
-    figure.marker_colors.emplace_back(color);
-    if (options.marker_key) figure.key.emplace_back(markers[m].name, color);
-  }
-  const FigureMargins m = figure_margins(figure);
-  figure.camera.set_viewport(0, 0, std::max(options.width - m.left - m.right, 1.0),
-                             std::max(options.height - m.top - m.bottom, 1.0));
-  figure.camera.fit(options.bounds.value_or(bounds(mesh)), options.bounds ? 0.0 : 0.01);
+  figure.vcvs = std::move(content.nodes);
+  figure.values = std::move(content.values);
+  if (options.color) figure.scale = content.scale;
+  figure.marker_colors.assign(content.marker_colors.begin(), content.marker_colors.end());
+  place_camera(figure.camera, mesh, options);
   return figure;
 }
 

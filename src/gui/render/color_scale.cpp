@@ -3,7 +3,7 @@
 #include <iterator>
 
 #include "core/error.h"
-#include "gui/render/ticks.h"
+#include "gui/base/text.h"
 
 namespace winslow::gui {
 namespace {

@@ -1,6 +1,8 @@
 #include "gui/render/draw_list.h"
 
-#include "gui/render/line_density.h"
+#include <bit>
+
+#include "gui/base/screen.h"
 #include "gui/render/overlap.h"
 
 namespace winslow::gui {
@@ -12,13 +14,41 @@ std::uint64_t edge_key(Index a, Index b) {
   return (high << 32U) | low;
 }
 
-/// Fills a DrawList whose vertices are the nodes.
-class WholeMesh {
+/// What fills a DrawList with a mesh.
+class MeshFiller {
+ protected:
+  MeshFiller(const Topology& topology, const Coordinates& coordinates, const Vec2& origin)
+      : topology_(topology), coordinates_(coordinates) {
+    list_.origin << origin, 0;
+  }
+
+  void add_position(const Vec2& world) {
+    const Vec2 p = world - list_.origin.head<2>();
+    list_.positions.push_back(static_cast<float>(p.x()));
+    list_.positions.push_back(static_cast<float>(p.y()));
+  }
+  double shortest_edge(Index node) const {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Index j : topology_.neighbours(node))
+      shortest = std::min(shortest, (coordinates_.xy(j) - coordinates_.xy(node)).squaredNorm());
+    return std::sqrt(shortest);
+  }
+  /// Corners of the triangles of an element, three each.
+  std::array<int, 6> cut(std::span<const Index> corners) const {
+    return corners.size() == 4 ? cut_quadrilateral(coordinates_, corners)
+                               : std::array<int, 6>{0, 1, 2, 0, 0, 0};
+  }
+
+  const Topology& topology_;
+  const Coordinates& coordinates_;
+  DrawList list_;
+};
+
+/// Its vertices are the nodes.
+class WholeMesh : MeshFiller {
  public:
   WholeMesh(const Topology& topology, const Coordinates& coordinates, const Vec2& origin)
-      : topology_(topology), coordinates_(coordinates) {
-    list_.origin = {origin.x(), origin.y(), 0};
-  }
+      : MeshFiller(topology, coordinates, origin) {}
 
   DrawList build(const EdgeGroups& groups) {
     add_nodes();
@@ -42,16 +72,8 @@ class WholeMesh {
     list_.positions.reserve(2 * n);
     list_.node_spacing.assign(n, 0.0f);
     for (Index i = 0; i < coordinates_.size(); ++i) {
-      const Vec2 p = coordinates_.xy(i) - list_.origin.head<2>();
-      list_.positions.push_back(static_cast<float>(p.x()));
-      list_.positions.push_back(static_cast<float>(p.y()));
-      double shortest = std::numeric_limits<double>::infinity();
-      for (const Index j : topology_.neighbours(i)) {
-        shortest = std::min(shortest, (coordinates_.xy(j) - coordinates_.xy(i)).squaredNorm());
-      }
-      if (topology_.used(i)) {
-        list_.node_spacing[static_cast<std::size_t>(i)] = static_cast<float>(std::sqrt(shortest));
-      }
+      add_position(coordinates_.xy(i));
+      if (topology_.used(i)) list_.node_spacing[at(i)] = static_cast<float>(shortest_edge(i));
     }
   }
 
@@ -62,12 +84,11 @@ class WholeMesh {
     if (with_lines) list_.triangle_lines.reserve(2 * elements);
     for (Index e = 0; e < topology_.element_count(); ++e) {
       const auto corners = topology_.element(e);
-      std::array<int, 6> cut{0, 1, 2, 0, 0, 0};
-      if (corners.size() == 4) cut = cut_quadrilateral(coordinates_, corners);
+      const std::array<int, 6> cut = this->cut(corners);
       const std::size_t used = corners.size() == 4 ? 6 : 3;
       const bool inverted = is_inverted(coordinates_, corners);
       for (std::size_t k = 0; k < used; ++k) {
-        const auto node = static_cast<std::uint32_t>(corners[static_cast<std::size_t>(cut[k])]);
+        const auto node = static_cast<std::uint32_t>(corners[at(cut[k])]);
         list_.triangles.push_back(node);
         if (inverted) list_.inverted_triangles.push_back(node);
         if (k % 3 == 0) list_.triangle_element.push_back(e);
@@ -80,8 +101,7 @@ class WholeMesh {
   /// The diagonal that cuts a quadrilateral is no line.
   void add_triangle_lines(std::span<const Index> corners, const std::array<int, 3>& cut) {
     std::array<Vec2, 3> p;
-    for (std::size_t k = 0; k < 3; ++k)
-      p[k] = coordinates_.xy(corners[static_cast<std::size_t>(cut[k])]);
+    for (std::size_t k = 0; k < 3; ++k) p[k] = coordinates_.xy(corners[at(cut[k])]);
     double longest = 0;
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -105,7 +125,7 @@ class WholeMesh {
   DrawList::Range add_edges(const std::vector<Index>& edges) {
     const DrawList::Range range{list_.lines.size() / 2, edges.size()};
     for (const Index index : edges) {
-      const auto& edge = topology_.edges()[static_cast<std::size_t>(index)];
+      const auto& edge = topology_.edges()[at(index)];
       add_line(edge.nodes[0], edge.nodes[1], edge_spacing(topology_, coordinates_, edge));
     }
     return range;
@@ -116,10 +136,6 @@ class WholeMesh {
     list_.lines.push_back(static_cast<std::uint32_t>(b));
     list_.line_spacing.push_back(static_cast<float>(spacing));
   }
-
-  const Topology& topology_;
-  const Coordinates& coordinates_;
-  DrawList list_;
 };
 
 }  // namespace
@@ -149,12 +165,10 @@ DrawList whole_draw_list(const Topology& topology, const EdgeGroups& groups,
 namespace {
 
 /// Fills a DrawList with what a box cuts out; every piece has vertices of its own.
-class ClippedMesh {
+class ClippedMesh : MeshFiller {
  public:
   ClippedMesh(const Topology& topology, const Coordinates& coordinates, const Bounds& box)
-      : topology_(topology), coordinates_(coordinates), box_(box) {
-    list_.origin << box.centre(), 0;
-  }
+      : MeshFiller(topology, coordinates, box.centre()), box_(box) {}
 
   DrawList build(const EdgeGroups& groups) {
     for (Index e = 0; e < topology_.element_count(); ++e) add_element(e);
@@ -177,9 +191,7 @@ class ClippedMesh {
 
  private:
   std::uint32_t add_vertex(const Vec2& world, double spacing = 0) {
-    const Vec2 p = world - list_.origin.head<2>();
-    list_.positions.push_back(static_cast<float>(p.x()));
-    list_.positions.push_back(static_cast<float>(p.y()));
+    add_position(world);
     list_.node_spacing.push_back(static_cast<float>(spacing));
     return static_cast<std::uint32_t>(list_.node_spacing.size() - 1);
   }
@@ -198,8 +210,7 @@ class ClippedMesh {
     const auto corners = topology_.element(e);
     if (misses_box(corners)) return;
     const bool inverted = is_inverted(coordinates_, corners);
-    std::array<int, 6> cut{0, 1, 2, 0, 0, 0};
-    if (corners.size() == 4) cut = cut_quadrilateral(coordinates_, corners);
+    const std::array<int, 6> cut = this->cut(corners);
     for (std::size_t t = 0; t + 2 < corners.size(); ++t) {
       std::array<Vec2, 3> triangle;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -214,7 +225,11 @@ class ClippedMesh {
   }
 
   void add_triangle(const std::array<Vec2, 3>& triangle, Index element, bool inverted) {
-    const std::vector<Vec2> polygon = clip_polygon(triangle);
+    std::vector<Vec2> polygon(triangle.begin(), triangle.end());
+    for (const int axis : {0, 1}) {
+      polygon = cut_side(polygon, axis, box_.min[axis], -1);
+      polygon = cut_side(polygon, axis, box_.max[axis], 1);
+    }
     if (polygon.size() < 3) return;
     std::vector<std::uint32_t> vertices;
     for (const Vec2& p : polygon) vertices.push_back(add_vertex(p));
@@ -228,48 +243,13 @@ class ClippedMesh {
     }
   }
 
-  /// Sutherland-Hodgman: cuts by one side of the box after the other.
-  std::vector<Vec2> clip_polygon(const std::array<Vec2, 3>& triangle) const {
-    std::vector<Vec2> polygon(triangle.begin(), triangle.end());
-    for (int side = 0; side < 4 && !polygon.empty(); ++side) {
-      const int axis = side / 2;
-      const bool upper = side % 2 == 1;
-      const double limit = upper ? box_.max[axis] : box_.min[axis];
-      const auto inside = [&](const Vec2& p) {
-        return upper ? p[axis] <= limit : p[axis] >= limit;
-      };
-      std::vector<Vec2> kept;
-      for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vec2& a = polygon[k];
-        const Vec2& b = polygon[(k + 1) % polygon.size()];
-        if (inside(a)) kept.push_back(a);
-        if (inside(a) == inside(b)) continue;
-        Vec2 cut = a + (b - a) * ((limit - a[axis]) / (b[axis] - a[axis]));
-        cut[axis] = limit;
-        kept.push_back(cut);
-      }
-      polygon = std::move(kept);
-    }
-    return polygon;
-  }
-
-  /// Liang-Barsky; false if nothing of the segment lies in the box.
+  /// False if nothing of the segment lies in the box.
   bool add_segment(Index from, Index to, std::vector<std::uint32_t>& lines) {
     const Vec2 a = coordinates_.xy(from);
     const Vec2 d = coordinates_.xy(to) - a;
-    double enter = 0;
-    double leave = 1;
-    for (int axis = 0; axis < 2; ++axis) {
-      if (d[axis] == 0) {
-        if (a[axis] < box_.min[axis] || a[axis] > box_.max[axis]) return false;
-        continue;
-      }
-      const double t0 = (box_.min[axis] - a[axis]) / d[axis];
-      const double t1 = (box_.max[axis] - a[axis]) / d[axis];
-      enter = std::max(enter, std::min(t0, t1));
-      leave = std::min(leave, std::max(t0, t1));
-    }
-    if (!(enter <= leave)) return false;
+    const auto part = part_within<Vec2>(a, coordinates_.xy(to), box_);
+    if (!part) return false;
+    const auto [enter, leave] = *part;
     lines.push_back(add_vertex(enter > 0 ? Vec2(a + enter * d) : a));
     lines.push_back(add_vertex(leave < 1 ? Vec2(a + leave * d) : coordinates_.xy(to)));
     return true;
@@ -278,7 +258,7 @@ class ClippedMesh {
   DrawList::Range add_edges(const std::vector<Index>& edges) {
     const std::size_t first = list_.lines.size() / 2;
     for (const Index index : edges) {
-      const auto& edge = topology_.edges()[static_cast<std::size_t>(index)];
+      const auto& edge = topology_.edges()[at(index)];
       if (misses_box(edge.nodes)) continue;
       if (!add_segment(edge.nodes[0], edge.nodes[1], list_.lines)) continue;
       list_.line_spacing.push_back(static_cast<float>(edge_spacing(topology_, coordinates_, edge)));
@@ -293,17 +273,10 @@ class ClippedMesh {
         (p.array() > box_.max.array()).any()) {
       return;
     }
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const Index j : topology_.neighbours(node)) {
-      shortest = std::min(shortest, (coordinates_.xy(j) - p).squaredNorm());
-    }
-    add_vertex(p, std::sqrt(shortest));
+    add_vertex(p, shortest_edge(node));
   }
 
-  const Topology& topology_;
-  const Coordinates& coordinates_;
   const Bounds box_;
-  DrawList list_;
   std::vector<Index> edges_;  // of the lines added by add_edges
 };
 
@@ -333,6 +306,82 @@ std::array<int, 6> cut_quadrilateral(const Coordinates& coordinates,
   const double along_13 = std::min(twice_area(p[0], p[1], p[3]), twice_area(p[1], p[2], p[3]));
   if (along_02 <= 0 && along_13 > along_02) return {0, 1, 3, 1, 2, 3};
   return {0, 1, 2, 0, 2, 3};
+}
+
+namespace {
+
+constexpr std::size_t class_count = 2048;
+
+/// Exponent and the first three bits of the fraction: grows with the value.
+std::size_t spacing_class(float spacing) {
+  return (std::bit_cast<std::uint32_t>(std::max(spacing, 0.0f)) >> 20U) & (class_count - 1);
+}
+
+/// The smallest spacing of the class of one: lines_spaced() is exact for those.
+float class_floor(float spacing) {
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(spacing) & ~((1U << 20U) - 1U));
+}
+
+}  // namespace
+
+double edge_spacing(const Topology& topology, const Coordinates& coordinates,
+                    const Topology::Edge& edge) {
+  const double length = (coordinates.xy(edge.nodes[1]) - coordinates.xy(edge.nodes[0])).norm();
+  if (!(length > 0)) return 0;
+  double spacing = std::numeric_limits<double>::infinity();
+  for (const Index e : edge.elements) {
+    if (e < 0) continue;
+    const auto corners = topology.element(e);
+    const Vec2 a = coordinates.xy(corners[0]);
+    double area = std::abs(twice_area(a, coordinates.xy(corners[1]), coordinates.xy(corners[2])));
+    if (corners.size() == 4) {
+      area += std::abs(twice_area(a, coordinates.xy(corners[2]), coordinates.xy(corners[3])));
+      area *= 0.5;
+    }
+    spacing = std::min(spacing, area / length);
+  }
+  return spacing;
+}
+
+void sort_by_spacing(DrawList& list) {
+  const std::size_t count = list.line_spacing.size();
+  std::vector<std::uint32_t> at_least(class_count + 1, 0);
+  for (const float s : list.line_spacing) ++at_least[spacing_class(s)];
+  for (std::size_t k = class_count; k-- > 0;) at_least[k] += at_least[k + 1];
+  std::vector<std::uint32_t> next(at_least.begin() + 1, at_least.end());
+  std::vector<std::uint32_t> lines(2 * count);
+  std::vector<float> spacing(count);
+  std::vector<Index> edge(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t to = next[spacing_class(list.line_spacing[k])]++;
+    lines[2 * to] = list.lines[2 * k];
+    lines[2 * to + 1] = list.lines[2 * k + 1];
+    spacing[to] = list.line_spacing[k];
+    edge[to] = list.line_edge[k];
+  }
+  list.lines = std::move(lines);
+  list.line_spacing = std::move(spacing);
+  list.line_edge = std::move(edge);
+  list.interior_at_least = std::move(at_least);
+}
+
+std::size_t lines_spaced(const DrawList& list, float spacing) {
+  if (list.interior_at_least.empty()) return list.interior.count;
+  return list.interior_at_least[spacing_class(spacing)];
+}
+
+float merging_spacing(const DrawList& list, float width, float pixels_per_unit) {
+  if (list.triangle_lines.empty() || !(width > 0)) return 0;
+  const float faded = fade_distance * width / pixels_per_unit;
+  const float merging = class_floor(merging_share * faded);
+  const std::size_t seen = lines_spaced(list, vanishing_share * faded);
+  return seen > lines_spaced(list, merging) + many_lines ? merging : 0;
+}
+
+double line_opacity(double spacing, double width) {
+  const double share = spacing / (static_cast<double>(fade_distance) * width);
+  const auto gone = static_cast<double>(vanishing_share);
+  return std::clamp((share - gone) / (1 - gone), 0.0, 1.0);
 }
 
 }  // namespace winslow::gui

@@ -1,7 +1,5 @@
 #include "gui/render/frame_buffer.h"
 
-#include <algorithm>
-
 #include "core/error.h"
 #include "gui/render/gl.h"
 
@@ -74,6 +72,20 @@ void FrameBuffer::release() {
   glDeleteFramebuffers(1, &draw_fbo_);
   glDeleteFramebuffers(1, &read_fbo_);
   glDeleteRenderbuffers(3, buffers_);
+}
+
+FrameBuffer::Part FrameBuffer::part_of(const ScreenBox& box, int height) {
+  const auto x = static_cast<int>(std::lround(box.min.x()));
+  const auto y = static_cast<int>(std::lround(box.min.y()));
+  const auto part_width = static_cast<int>(std::lround(box.size().x()));
+  const auto part_height = static_cast<int>(std::lround(box.size().y()));
+  return {x, height - y - part_height, part_width, part_height};
+}
+
+unsigned FrameBuffer::bound() {
+  GLint target = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  return static_cast<unsigned>(target);
 }
 
 void FrameBuffer::bind() const {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <array>
+#include <memory>
 
+#include "gui/base/screen.h"
 #include "gui/render/image.h"
 
 namespace winslow::gui {
@@ -26,6 +27,10 @@ class FrameBuffer {
   struct Part {
     int x, y, width, height;
   };
+  /// Of a framebuffer of that height.
+  static Part part_of(const ScreenBox& box, int height);
+  /// The framebuffer that draw calls go to now.
+  static unsigned bound();
   /// Averages the samples of a part, for show(); leaves another target bound.
   void resolve(const Part& part) const;
   /// Copies a part that is resolved to the same place of another target, which is bound then.
@@ -39,6 +44,36 @@ class FrameBuffer {
   int width_, height_, samples_;
   unsigned draw_fbo_ = 0, read_fbo_ = 0;
   unsigned buffers_[3] = {0, 0, 0};
+};
+
+/// A picture that is kept, and drawn anew only when what it depends on, its key, is another.
+template <class Key>
+class KeptPicture {
+ public:
+  /// Draws anew next time.
+  void forget() { key_.reset(); }
+  void clear() { *this = KeptPicture(); }
+  /// Shows a part of the picture in the framebuffer that is bound. draw: makes the picture, in a
+  /// framebuffer of that width and height which is bound by then.
+  template <class Draw>
+  void show(const Key& key, const FrameBuffer::Part& part, int width, int height,
+            const Draw& draw) {
+    constexpr int samples = 4;
+    const unsigned target = FrameBuffer::bound();
+    if (key_ != key) {
+      if (!buffer_ || buffer_->width() != width || buffer_->height() != height)
+        buffer_ = std::make_unique<FrameBuffer>(width, height, samples);
+      buffer_->bind();
+      draw();
+      buffer_->resolve(part);
+      key_ = key;
+    }
+    buffer_->show(part, target);
+  }
+
+ private:
+  std::unique_ptr<FrameBuffer> buffer_;
+  std::optional<Key> key_;  // of what is in buffer_
 };
 
 }  // namespace winslow::gui

@@ -20,6 +20,13 @@ void load_gl(GlLoader loader) {
   }
 }
 
+void draw_over() {
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
 namespace {
 
 std::string_view find_source(std::string_view name) {

@@ -3,7 +3,9 @@
 #include <glad/gl.h>
 
 #include <array>
+#include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace winslow::gui {
@@ -15,6 +17,9 @@ using GlLoader = GLADloadfunc;
 /// Loads OpenGL for the context that is current on this thread. Call it once for every context
 /// made. Throws Error if the context offers less than OpenGL 3.3.
 void load_gl(GlLoader loader);
+
+/// What is drawn from now on covers what is there as far as its alpha says, from either side.
+void draw_over();
 
 /// A buffer of the graphics card. Content of the same size is updated in place.
 class GlBuffer {
@@ -100,5 +105,19 @@ class Shader {
   int location(const char* name) const { return glGetUniformLocation(program_, name); }
   GLuint program_ = 0;
 };
+
+/// An OpenGL 3.3 core context, current on the thread that made it and destroyed on that thread;
+/// what was current before is current again afterwards. The window makes its own through GLFW
+/// (gui/shell/window.h); this one needs no display. Its own framebuffer is undefined: draw into a
+/// FrameBuffer.
+class HeadlessContext {
+ public:
+  virtual ~HeadlessContext() = default;
+  virtual std::string description() const = 0;  ///< "EGL surfaceless, llvmpipe ..."
+};
+
+/// EGL surfaceless, or OSMesa if the build says so. Throws Error saying what is missing and which
+/// package brings it.
+std::unique_ptr<HeadlessContext> make_headless_context();
 
 }  // namespace winslow::gui

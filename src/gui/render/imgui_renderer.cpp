@@ -86,10 +86,7 @@ void ImGuiRenderer::prepare(const ImDrawData& data, int width, int height) {
   glViewport(0, 0, width, height);
   glEnable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_FUNC_ADD);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  draw_over();
   glBindVertexArray(vertex_array_);
   shader_.use();
   shader_.set("to_clip", screen_matrix(data));

@@ -1,6 +1,6 @@
 #include "gui/render/mesh_buffers.h"
 
-#include "gui/render/line_density.h"
+#include "gui/render/draw_list.h"
 #include "gui/render/overlap.h"
 
 namespace winslow::gui {
@@ -72,7 +72,7 @@ void MeshBuffers::set_element_colors(std::span<const std::uint32_t> rgba) {
   std::vector<std::uint32_t> colors;
   colors.reserve(list_.triangle_element.size());
   for (const Index e : list_.triangle_element) {
-    colors.push_back(rgba[static_cast<std::size_t>(e)]);
+    colors.push_back(rgba[at(e)]);
   }
   triangle_colors_.upload(view(colors));
 }

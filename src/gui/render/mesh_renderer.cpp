@@ -77,188 +77,150 @@ std::vector<std::uint32_t> element_colors(std::span<const double> values, const 
   return colors;
 }
 
-class MeshRenderer::Impl {
- public:
-  void set_mesh(PreparedMesh mesh) {
-    if (mesh_.topology != mesh.topology) clear_values();
-    mesh_ = std::move(mesh);
-    ++revision_;
-    whole_.stale = true;
-    for (auto& cut : cuts_)
-      if (cut) cut->stale = true;
-  }
-
-  void set_mesh(const std::shared_ptr<const Topology>& topology, const Coordinates& coordinates) {
-    set_mesh(
-        prepare_mesh(topology, coordinates, topology == mesh_.topology ? mesh_.groups : nullptr));
-  }
-
-  const std::shared_ptr<const EdgeGroups>& groups() const { return mesh_.groups; }
-  std::uint64_t revision() const { return revision_; }
-  const std::shared_ptr<const Topology>& topology() const { return mesh_.topology; }
-
-  void set_colors(std::vector<std::uint32_t> colors, std::vector<float> opacity) {
-    const auto count =
-        static_cast<std::size_t>(mesh_.topology ? mesh_.topology->element_count() : 0);
-    if (colors.size() != count || (!opacity.empty() && opacity.size() != count))
-      throw UsageError("colours need one value for each element");
-    colors_ = std::move(colors);
-    opacity_ = std::move(opacity);
-    recolor();
-  }
-
-  void clear_values() {
-    colors_.clear();
-    opacity_.clear();
-    recolor();
-  }
-
-  void set_marker_styles(std::vector<MarkerStyle> styles) { marker_styles_ = std::move(styles); }
-
-  void draw(const Camera& camera, const MeshStyle& style, int framebuffer_height, int view) {
-    if (mesh_.topology == nullptr) return;
-    MeshBuffers& buffers = prepare(camera, view).buffers;
-    const ScreenBox seen = camera.viewport();
-    const PixelBox port = pixel_box(seen, framebuffer_height);
-    const PixelBox part = pixel_box(style.clip.value_or(seen), framebuffer_height);
-    glViewport(port.x, port.y, port.width, port.height);
-    glScissor(part.x, part.y, part.width, part.height);
-    glEnable(GL_SCISSOR_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    buffers.begin(camera);
-    draw_surface(buffers, style);
-    draw_lines(buffers, style);
-    if (style.node_size > 0) buffers.draw_nodes(style.edge_color, style.node_size);
-    buffers.end();
-    glDisable(GL_SCISSOR_TEST);
-  }
-
- private:
-  /// What is on the graphics card: the whole mesh, or what one view has cut out of it.
-  struct Part {
-    MeshBuffers buffers;
-    Bounds cut;
-    bool stale = true, colors_stale = true, opacity_stale = true;
-  };
-
-  void recolor() {
-    ++revision_;
-    whole_.colors_stale = whole_.opacity_stale = true;
-    for (auto& cut : cuts_)
-      if (cut) cut->colors_stale = cut->opacity_stale = true;
-  }
-
-  /// Brings a part up to date with the mesh and with how deep the camera looks into it.
-  Part& prepare(const Camera& camera, int view) {
-    const bool deep = mesh_.extent.size().maxCoeff() / camera.units_per_pixel() > most_pixels;
-    auto& own = cuts_[static_cast<std::size_t>(std::clamp(view, 0, 1))];
-    if (deep && !own) own = std::make_unique<Part>();
-    Part& part = deep ? *own : whole_;
-    if (deep) {
-      const Bounds seen = camera.visible();
-      if (part.stale || !contains(part.cut, seen) ||
-          seen.size().maxCoeff() < smallest_share * part.cut.size().maxCoeff()) {
-        part.cut = {seen.min - room * seen.size(), seen.max + room * seen.size()};
-        part.colors_stale |= part.buffers.upload(
-            clipped_draw_list(*mesh_.topology, *mesh_.groups, mesh_.coordinates, part.cut));
-        part.opacity_stale = true;
-      }
-    } else if (part.stale) {
-      part.colors_stale |= part.buffers.upload(std::move(mesh_.whole));
-      part.opacity_stale = true;  // lines come in another order
-    }
-    part.stale = false;
-    if (part.colors_stale) part.buffers.set_element_colors(colors_);
-    if (part.opacity_stale) upload_opacity(part.buffers);
-    part.colors_stale = part.opacity_stale = false;
-    return part;
-  }
-
-  void upload_opacity(MeshBuffers& buffers) const {
-    std::vector<float> lines;
-    if (!opacity_.empty()) {
-      lines.reserve(buffers.list().line_edge.size());
-      for (const Index index : buffers.list().line_edge) {
-        const auto& edge = mesh_.topology->edges()[static_cast<std::size_t>(index)];
-        float clearest = 0;
-        for (const Index e : edge.elements)
-          if (e >= 0) clearest = std::max(clearest, opacity_[static_cast<std::size_t>(e)]);
-        lines.push_back(clearest);
-      }
-    }
-    buffers.set_line_opacity(lines);
-  }
-
-  static MeshBuffers::LineStyle interior_style(const MeshStyle& style) {
-    return {style.edge_color, style.edge_width, false, true};
-  }
-
-  static void draw_surface(MeshBuffers& buffers, const MeshStyle& style) {
-    const MeshBuffers::LineStyle lines = interior_style(style);
-    const bool merges = style.wireframe && buffers.merges(lines);
-    if (style.fill || merges)
-      buffers.draw_fill(style.fill ? &style.fill_color : nullptr, merges ? &lines : nullptr,
-                        style.show_inverted);
-    if (style.show_inverted) buffers.draw_inverted_fill(style.inverted_color);
-  }
-
-  void draw_lines(MeshBuffers& buffers, const MeshStyle& style) const {
-    const auto& list = buffers.list();
-    if (style.wireframe) {
-      buffers.draw_interior_lines(interior_style(style));
-    }
-    if (style.show_inverted) {
-      Rgba outline = style.inverted_color;
-      for (std::size_t c = 0; c < 3; ++c) outline[c] *= 0.7f;
-      buffers.draw_inverted_outlines({outline, std::max(style.edge_width, 1.5f), true, false});
-    }
-    if (!style.markers) return;
-    buffers.draw_lines(list.boundary, {style.edge_color, style.boundary_width, true, false});
-    for (std::size_t m = 0; m < list.markers.size(); ++m) {
-      MarkerStyle marker{style.edge_color, style.boundary_width};
-      if (m < marker_styles_.size()) marker = marker_styles_[m];
-      if (marker.width <= 0) continue;
-      buffers.draw_lines(list.markers[m], {marker.color, marker.width, true, false});
-    }
-  }
-
-  std::uint64_t revision_ = 0;
-  PreparedMesh mesh_;
-  std::vector<std::uint32_t> colors_;
-  std::vector<float> opacity_;
-  std::vector<MarkerStyle> marker_styles_;
-  Part whole_;
-  std::array<std::unique_ptr<Part>, 2> cuts_;
+/// What is on the graphics card: the whole mesh, or what one view has cut out of it.
+struct MeshRenderer::Part {
+  MeshBuffers buffers;
+  Bounds cut;
+  bool stale = true, colors_stale = true, opacity_stale = true;
 };
 
-MeshRenderer::MeshRenderer() : impl_(std::make_unique<Impl>()) {}
+MeshRenderer::MeshRenderer() : whole_(std::make_unique<Part>()) {}
 MeshRenderer::~MeshRenderer() = default;
 
-const std::shared_ptr<const Topology>& MeshRenderer::topology() const { return impl_->topology(); }
+void MeshRenderer::set_mesh(PreparedMesh mesh) {
+  if (mesh_.topology != mesh.topology) clear_values();
+  mesh_ = std::move(mesh);
+  ++revision_;
+  whole_->stale = true;
+  for (auto& cut : cuts_)
+    if (cut) cut->stale = true;
+}
 
 void MeshRenderer::set_mesh(const std::shared_ptr<const Topology>& topology,
                             const Coordinates& coordinates) {
-  impl_->set_mesh(topology, coordinates);
+  set_mesh(
+      prepare_mesh(topology, coordinates, topology == mesh_.topology ? mesh_.groups : nullptr));
 }
-void MeshRenderer::set_mesh(PreparedMesh mesh) { impl_->set_mesh(std::move(mesh)); }
-std::shared_ptr<const EdgeGroups> MeshRenderer::edge_groups() const { return impl_->groups(); }
-std::uint64_t MeshRenderer::revision() const { return impl_->revision(); }
+
 void MeshRenderer::set_values(std::span<const double> values, const ColorScale& scale) {
-  impl_->set_colors(element_colors(values, scale), {});
+  set_colors(element_colors(values, scale), {});
 }
+
 void MeshRenderer::set_colors(std::vector<std::uint32_t> colors, std::vector<float> opacity) {
-  impl_->set_colors(std::move(colors), std::move(opacity));
+  const auto count = static_cast<std::size_t>(mesh_.topology ? mesh_.topology->element_count() : 0);
+  if (colors.size() != count || (!opacity.empty() && opacity.size() != count))
+    throw UsageError("colours need one value for each element");
+  colors_ = std::move(colors);
+  opacity_ = std::move(opacity);
+  recolor();
 }
-void MeshRenderer::clear_values() { impl_->clear_values(); }
-void MeshRenderer::set_marker_styles(std::vector<MarkerStyle> styles) {
-  impl_->set_marker_styles(std::move(styles));
+
+void MeshRenderer::clear_values() {
+  colors_.clear();
+  opacity_.clear();
+  recolor();
 }
-void MeshRenderer::draw(const Camera& camera, const MeshStyle& style, int /*framebuffer_width*/,
-                        int framebuffer_height, int view) {
-  impl_->draw(camera, style, framebuffer_height, view);
+
+void MeshRenderer::recolor() {
+  ++revision_;
+  whole_->colors_stale = whole_->opacity_stale = true;
+  for (auto& cut : cuts_)
+    if (cut) cut->colors_stale = cut->opacity_stale = true;
+}
+
+/// Brings a part up to date with the mesh and with how deep the camera looks into it.
+MeshRenderer::Part& MeshRenderer::prepare(const Camera& camera, int view) {
+  const bool deep = mesh_.extent.size().maxCoeff() / camera.units_per_pixel() > most_pixels;
+  auto& own = cuts_[static_cast<std::size_t>(std::clamp(view, 0, 1))];
+  if (deep && !own) own = std::make_unique<Part>();
+  Part& part = deep ? *own : *whole_;
+  if (deep) {
+    const Bounds seen = camera.visible();
+    if (part.stale || !contains(part.cut, seen) ||
+        seen.size().maxCoeff() < smallest_share * part.cut.size().maxCoeff()) {
+      part.cut = {seen.min - room * seen.size(), seen.max + room * seen.size()};
+      part.colors_stale |= part.buffers.upload(
+          clipped_draw_list(*mesh_.topology, *mesh_.groups, mesh_.coordinates, part.cut));
+      part.opacity_stale = true;
+    }
+  } else if (part.stale) {
+    part.colors_stale |= part.buffers.upload(std::move(mesh_.whole));
+    part.opacity_stale = true;  // lines come in another order
+  }
+  part.stale = false;
+  if (part.colors_stale) part.buffers.set_element_colors(colors_);
+  if (part.opacity_stale) part.buffers.set_line_opacity(line_opacity(part.buffers.list()));
+  part.colors_stale = part.opacity_stale = false;
+  return part;
+}
+
+/// Of the interior lines; empty: all are drawn in full.
+std::vector<float> MeshRenderer::line_opacity(const DrawList& list) const {
+  std::vector<float> lines;
+  if (opacity_.empty()) return lines;
+  lines.reserve(list.line_edge.size());
+  for (const Index index : list.line_edge) {
+    float clearest = 0;
+    for (const Index e : mesh_.topology->edges()[at(index)].elements)
+      if (e >= 0) clearest = std::max(clearest, opacity_[at(e)]);
+    lines.push_back(clearest);
+  }
+  return lines;
+}
+
+namespace {
+
+MeshBuffers::LineStyle interior_style(const MeshStyle& style) {
+  return {style.edge_color, style.edge_width, false, true};
+}
+
+void draw_surface(MeshBuffers& buffers, const MeshStyle& style) {
+  const MeshBuffers::LineStyle lines = interior_style(style);
+  const bool merges = style.wireframe && buffers.merges(lines);
+  if (style.fill || merges)
+    buffers.draw_fill(style.fill ? &style.fill_color : nullptr, merges ? &lines : nullptr,
+                      style.show_inverted);
+  if (style.show_inverted) buffers.draw_inverted_fill(style.inverted_color);
+}
+
+void draw_lines(MeshBuffers& buffers, const MeshStyle& style,
+                std::span<const MeshRenderer::MarkerStyle> markers) {
+  const auto& list = buffers.list();
+  if (style.wireframe) buffers.draw_interior_lines(interior_style(style));
+  if (style.show_inverted) {
+    Rgba outline = style.inverted_color;
+    for (std::size_t c = 0; c < 3; ++c) outline[c] *= 0.7f;
+    buffers.draw_inverted_outlines({outline, std::max(style.edge_width, 1.5f), true, false});
+  }
+  if (!style.markers) return;
+  buffers.draw_lines(list.boundary, {style.edge_color, style.boundary_width, true, false});
+  for (std::size_t m = 0; m < list.markers.size(); ++m) {
+    MeshRenderer::MarkerStyle marker{style.edge_color, style.boundary_width};
+    if (m < markers.size()) marker = markers[m];
+    if (marker.width <= 0) continue;
+    buffers.draw_lines(list.markers[m], {marker.color, marker.width, true, false});
+  }
+}
+
+}  // namespace
+
+void MeshRenderer::draw(const Camera& camera, const MeshStyle& style, int framebuffer_height,
+                        int view) {
+  if (mesh_.topology == nullptr) return;
+  MeshBuffers& buffers = prepare(camera, view).buffers;
+  const ScreenBox seen = camera.viewport();
+  const PixelBox port = pixel_box(seen, framebuffer_height);
+  const PixelBox part = pixel_box(style.clip.value_or(seen), framebuffer_height);
+  glViewport(port.x, port.y, port.width, port.height);
+  glScissor(part.x, part.y, part.width, part.height);
+  glEnable(GL_SCISSOR_TEST);
+  draw_over();
+  buffers.begin(camera);
+  draw_surface(buffers, style);
+  draw_lines(buffers, style, marker_styles_);
+  if (style.node_size > 0) buffers.draw_nodes(style.edge_color, style.node_size);
+  buffers.end();
+  glDisable(GL_SCISSOR_TEST);
 }
 
 namespace {

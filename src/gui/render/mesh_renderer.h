@@ -62,13 +62,13 @@ class MeshRenderer {
   /// Takes a mesh; cheap if its topology is the one already held.
   void set_mesh(const std::shared_ptr<const Topology>& topology, const Coordinates& coordinates);
   /// Of the mesh that is drawn; null before the first.
-  const std::shared_ptr<const Topology>& topology() const;
+  const std::shared_ptr<const Topology>& topology() const { return mesh_.topology; }
   void set_mesh(PreparedMesh mesh);
   /// Of the mesh held; null without one.
-  std::shared_ptr<const EdgeGroups> edge_groups() const;
+  std::shared_ptr<const EdgeGroups> edge_groups() const { return mesh_.groups; }
 
   /// Grows whenever mesh or colours become others.
-  std::uint64_t revision() const;
+  std::uint64_t revision() const { return revision_; }
 
   /// One value per element and its scale; none: style.fill_color.
   void set_values(std::span<const double> values, const ColorScale& scale);
@@ -83,16 +83,25 @@ class MeshRenderer {
 
     bool operator==(const MarkerStyle&) const = default;
   };
-  void set_marker_styles(std::vector<MarkerStyle> styles);
+  void set_marker_styles(std::vector<MarkerStyle> styles) { marker_styles_ = std::move(styles); }
 
   /// view: where a mesh is drawn several times in a frame with cameras of its own (a magnifier),
   /// each keeps what it cut out of the mesh under its own number, 0 or 1.
-  void draw(const Camera& camera, const MeshStyle& style, int framebuffer_width,
-            int framebuffer_height, int view = 0);
+  void draw(const Camera& camera, const MeshStyle& style, int framebuffer_height, int view = 0);
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  struct Part;
+  Part& prepare(const Camera& camera, int view);
+  std::vector<float> line_opacity(const DrawList& list) const;
+  void recolor();
+
+  std::uint64_t revision_ = 0;
+  PreparedMesh mesh_;
+  std::vector<std::uint32_t> colors_;
+  std::vector<float> opacity_;
+  std::vector<MarkerStyle> marker_styles_;
+  std::unique_ptr<Part> whole_;
+  std::array<std::unique_ptr<Part>, 2> cuts_;
 };
 
 /// What lies behind a mesh: one colour, or two that run into each other.

@@ -292,7 +292,10 @@ struct Span {
   }
 };
 
-/// Cuts a convex polygon off where an axis exceeds a limit, or falls below it (sign -1).
+bool empty(const std::array<std::uint64_t, 2>& m) { return (m[0] | m[1]) == 0; }
+
+}  // namespace
+
 std::vector<Vec2> cut_side(const std::vector<Vec2>& polygon, int axis, double limit, double sign) {
   std::vector<Vec2> kept;
   const auto beyond = [&](const Vec2& p) { return sign * (p[axis] - limit); };
@@ -307,10 +310,6 @@ std::vector<Vec2> cut_side(const std::vector<Vec2>& polygon, int axis, double li
   }
   return kept;
 }
-
-bool empty(const std::array<std::uint64_t, 2>& m) { return (m[0] | m[1]) == 0; }
-
-}  // namespace
 
 int CellCover::cell(double x) { return std::clamp(static_cast<int>(std::floor(x)), 0, count - 1); }
 

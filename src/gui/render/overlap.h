@@ -4,6 +4,10 @@
 
 namespace winslow::gui {
 
+/// Cuts a convex polygon off where an axis exceeds a limit, or falls below it (sign -1): Sutherland
+/// and Hodgman.
+std::vector<Vec2> cut_side(const std::vector<Vec2>& polygon, int axis, double limit, double sign);
+
 /// A tangled mesh lies over itself: a scrambled one paints every pixel some thousand times, which
 /// takes minutes where triangles are filled in software. This leaves of such a list what is seen:
 /// - of the inverted triangles, which are all of one colour and lie above the others, the pieces

@@ -14,30 +14,30 @@ ViewKey::ViewKey(const View& view) : looked_at(view.looked_at()), viewport(view.
   direction = ray.direction;
 }
 
-View::Projection PlaneView::project(const Vec3& point) const {
-  return {camera_.to_screen({point.x(), point.y()}), -point.z()};
+View::Projection Camera::project(const Vec3& point) const {
+  return {to_screen({point.x(), point.y()}), -point.z()};
 }
 
 /// From above the plane: points of it lie before the viewer.
-Ray<3> PlaneView::unproject(const ScreenPoint& at) const {
-  const Vec2 point = camera_.to_world(at);
+Ray<3> Camera::unproject(const ScreenPoint& at) const {
+  const Vec2 point = to_world(at);
   return {{point.x(), point.y(), 1}, {0, 0, -1}};
 }
 
-Vec3 PlaneView::at_depth_of(const Vec3& /*point*/, const ScreenPoint& at) const {
-  return place_in_plane(camera_.to_world(at));
+Vec3 Camera::at_depth_of(const Vec3& /*point*/, const ScreenPoint& at) const {
+  return place_in_plane(to_world(at));
 }
 
-LookedAt PlaneView::looked_at() const {
-  return {place_in_plane(camera_.centre()), camera_.units_per_pixel(), std::nullopt};
+LookedAt Camera::looked_at() const {
+  return {place_in_plane(centre_), units_per_pixel_, std::nullopt};
 }
 
-void PlaneView::look_at(const LookedAt& place) {
-  camera_.look_at(place.centre.head<2>(), place.units_per_pixel);
+void Camera::look_at(const LookedAt& place) {
+  look_at(place.centre.head<2>(), place.units_per_pixel);
 }
 
-void PlaneView::zoom_about(const Vec3& point, double factor) {
-  camera_.zoom_at(camera_.to_screen(point.head<2>()), factor);
+void Camera::zoom_about(const Vec3& point, double factor) {
+  zoom_at(to_screen(point.head<2>()), factor);
 }
 
 void Camera::set_viewport(double x, double y, double width, double height) {

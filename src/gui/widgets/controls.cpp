@@ -5,7 +5,6 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include <algorithm>
 #include <cctype>
 
 #include "gui/widgets/ui_layer.h"

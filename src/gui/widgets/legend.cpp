@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
+#include "gui/base/text.h"
 #include "gui/render/color_scale.h"
-#include "gui/render/ticks.h"
 
 namespace winslow::gui {
 namespace {

@@ -1,7 +1,6 @@
 #include "gui/widgets/plot_frame.h"
 
 #include "gui/base/text.h"
-#include "gui/render/ticks.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {

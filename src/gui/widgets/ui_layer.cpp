@@ -4,7 +4,6 @@
 #include <GLFW/glfw3.h>
 #include <imgui_internal.h>
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 

@@ -3,8 +3,6 @@
 #include <imgui.h>
 
 #include <map>
-#include <memory>
-#include <optional>
 #include <set>
 
 #include "gui/base/input.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "gui/render/line_density.h"
 #include "support/meshes.h"
 
 using namespace winslow;

@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "gui/render/frame_buffer.h"
 #include "gui/render/gl.h"
-#include "gui/render/gl_context.h"
 
 using namespace winslow;
 using namespace winslow::gui;

@@ -5,7 +5,6 @@
 #include <random>
 
 #include "gui/render/draw_list.h"
-#include "gui/render/line_density.h"
 #include "gui/support/scene.h"
 #include "support/meshes.h"
 

@@ -35,7 +35,7 @@ struct MovingStudio : Rig {
     click("marker/" + name);
     REQUIRE(session().selection().markers() == std::vector<Index>{marker(name)});
   }
-  const SpaceView& view() const { return bench->view_control().space().view(); }
+  const SpaceCamera& view() const { return bench->view_control().space().view(); }
   ScreenPoint at(const Vec3& point) const { return view().project(point).at; }
   /// A place of a handle of the gizmo, as the picture has it: "arrow/x".
   ScreenPoint handle(const std::string& id) const {

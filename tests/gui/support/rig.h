@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "gui/document/actions/actions.h"
-#include "gui/render/gl_context.h"
+#include "gui/render/gl.h"
 #include "gui/shell/workbench/workbench.h"
 #include "gui/support/meshes.h"
 

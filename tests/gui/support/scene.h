@@ -6,7 +6,7 @@
 
 #include "core/mesh/mesh.h"
 #include "gui/render/frame_buffer.h"
-#include "gui/render/gl_context.h"
+#include "gui/render/gl.h"
 #include "gui/render/mesh_renderer.h"
 #include "gui/render/space/space_renderer.h"
 
@@ -30,7 +30,7 @@ class Scene {
 
   Image draw(const MeshStyle& style) {
     target.clear({1, 1, 1, 1});
-    renderer.draw(camera, style, side_, side_);
+    renderer.draw(camera, style, side_);
     return target.read();
   }
 

@@ -9,7 +9,7 @@
 
 #include "gui/document/session/files.h"
 #include "gui/document/session/history_editor.h"
-#include "gui/document/session/vcv_editor.h"
+#include "gui/document/session/motions.h"
 #include "gui/support/meshes.h"
 
 namespace winslow::gui::test {
@@ -24,7 +24,7 @@ struct NothingOpen {
 struct SessionParts {
   explicit SessionParts(const Mesh& opened) {
     mesh.open(std::make_unique<Document>(Document::load(write(folder, opened))));
-    show_position(mesh, selection, messages);
+    jobs.show_position();
   }
 
   Index marker(const std::string& name) const { return *mesh.topology()->markers().find(name); }
@@ -56,7 +56,7 @@ struct SessionParts {
   Jobs jobs{work, mesh, messages, selection, settings};
   Motions motions{work, mesh, messages, selection, settings, jobs};
   VcvEditor vcvs{work, mesh, messages, settings, jobs};
-  HistoryEditor history{mesh, messages, selection, settings, jobs, motions};
+  HistoryEditor history{mesh, messages, settings, jobs, motions};
 };
 
 }  // namespace winslow::gui::test

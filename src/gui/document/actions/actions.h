@@ -14,8 +14,9 @@
 /// What a user can ask for. Panels and the viewport emit actions; those who are named above each
 /// group carry them out. Nothing else changes the state of the studio.
 ///
-/// TO ADD AN ACTION, add it to its group, which stands here or, if it is of the open mesh alone, in
-/// document_actions.h. It compiles once its handler has a function on() for it (see Dispatch).
+/// TO ADD AN ACTION, add it to its group and to the variant of that name, which stand here or, if
+/// it is of the open mesh alone, in document_actions.h. It compiles once its handler has a function
+/// on() for it (see Dispatch).
 namespace winslow::gui {
 
 /// What lies at a place of the mesh on screen, as a click there means it.
@@ -31,8 +32,9 @@ struct PickedPlace {
 
 }  // namespace winslow::gui
 
-/// Where the user looks and what is drawn. Carried out by Navigator and ViewControl.
 namespace winslow::gui::action {
+
+/// Where the user looks and what is drawn. Carried out by Navigator and ViewControl.
 
 /// Sets some of the view's options and leaves the others as they are.
 struct EditView {
@@ -101,26 +103,7 @@ struct StepScale {
   int by = 0;
 };
 
-}  // namespace winslow::gui::action
-
-namespace winslow::gui {
-
-/// Where the camera goes.
-using CameraAction = std::variant<action::FitView, action::FitSelection, action::FitBodies,
-                                  action::FitMarkers, action::LookAt, action::ZoomToScreen,
-                                  action::LookFrom, action::BackView, action::ForwardView>;
-
-/// What is drawn, and what that is about.
-using ViewAction =
-    std::variant<action::EditView, action::ToggleRuler, action::BoxZoom, action::GoTo,
-                 action::InspectNode, action::PinMagnifier, action::AskGoTo, action::PreviewRoles,
-                 action::StepScale, action::AddCut, action::HoldCut, action::AddCutAcrossView,
-                 action::ShowLook>;
-
-}  // namespace winslow::gui
-
 /// Pictures and recordings. Carried out by Capture.
-namespace winslow::gui::action {
 
 /// The window as it is.
 struct TakeScreenshot {
@@ -149,19 +132,7 @@ struct StartRecording {
 struct StopRecording {};    ///< what was recorded is written
 struct CancelRecording {};  ///< what was recorded is thrown away
 
-}  // namespace winslow::gui::action
-
-namespace winslow::gui {
-
-using PictureAction =
-    std::variant<action::TakeScreenshot, action::SetPictureSpec, action::SavePicture,
-                 action::SetRecordingSpec, action::StartRecording, action::StopRecording,
-                 action::CancelRecording>;
-
-}  // namespace winslow::gui
-
 /// Dialogs that come up. Carried out by Dialogs.
-namespace winslow::gui::action {
 
 struct ShowFileDialog {
   FilePurpose purpose = FilePurpose::open_mesh;
@@ -187,19 +158,7 @@ struct ShowHelp {};
 struct ShowPalette {};
 struct ShowAbout {};
 
-}  // namespace winslow::gui::action
-
-namespace winslow::gui {
-
-using DialogAction =
-    std::variant<action::ShowFileDialog, action::ShowPictureDialog, action::ShowRecordDialog,
-                 action::ShowStepEditor, action::ChooseStepReference, action::ShowContextMenu,
-                 action::ShowHelp, action::ShowPalette, action::ShowAbout>;
-
-}  // namespace winslow::gui
-
 /// The studio's first page and what outlives the studio. Carried out by the workbench.
-namespace winslow::gui::action {
 
 /// The page of recent and bundled meshes comes, or goes.
 struct ShowWelcome {};
@@ -221,17 +180,7 @@ struct DiscardSession {
   std::filesystem::path folder;
 };
 
-}  // namespace winslow::gui::action
-
-namespace winslow::gui {
-
-using ShellAction = std::variant<action::ShowWelcome, action::ClearRecent, action::EditField,
-                                 action::CopyText, action::RestoreSession, action::DiscardSession>;
-
-}  // namespace winslow::gui
-
 /// Guided demos. Carried out by DemoPlayer through the workbench.
-namespace winslow::gui::action {
 
 struct StartDemo {
   std::string id;
@@ -251,6 +200,27 @@ struct EndDemo {};
 
 namespace winslow::gui {
 
+/// Where the camera goes.
+using CameraAction = std::variant<action::FitView, action::FitSelection, action::FitBodies,
+                                  action::FitMarkers, action::LookAt, action::ZoomToScreen,
+                                  action::LookFrom, action::BackView, action::ForwardView>;
+
+/// What is drawn, and what that is about.
+using ViewAction =
+    std::variant<action::EditView, action::ToggleRuler, action::BoxZoom, action::GoTo,
+                 action::InspectNode, action::PinMagnifier, action::AskGoTo, action::PreviewRoles,
+                 action::StepScale, action::AddCut, action::HoldCut, action::AddCutAcrossView,
+                 action::ShowLook>;
+using PictureAction =
+    std::variant<action::TakeScreenshot, action::SetPictureSpec, action::SavePicture,
+                 action::SetRecordingSpec, action::StartRecording, action::StopRecording,
+                 action::CancelRecording>;
+using DialogAction =
+    std::variant<action::ShowFileDialog, action::ShowPictureDialog, action::ShowRecordDialog,
+                 action::ShowStepEditor, action::ChooseStepReference, action::ShowContextMenu,
+                 action::ShowHelp, action::ShowPalette, action::ShowAbout>;
+using ShellAction = std::variant<action::ShowWelcome, action::ClearRecent, action::EditField,
+                                 action::CopyText, action::RestoreSession, action::DiscardSession>;
 using DemoAction =
     std::variant<action::StartDemo, action::StepDemo, action::PlayDemo, action::EndDemo>;
 

@@ -11,8 +11,9 @@
 #include "gui/document/selection/pivot.h"
 #include "gui/settings/option_edits.h"
 
-/// Opening, saving and exporting. Carried out by Files.
 namespace winslow::gui::action {
+
+/// Opening, saving and exporting. Carried out by Files.
 
 struct OpenMesh {
   std::filesystem::path path;
@@ -54,18 +55,7 @@ struct Quit {
   bool discard_changes = false;
 };
 
-}  // namespace winslow::gui::action
-
-namespace winslow::gui {
-
-using FileAction = std::variant<action::OpenMesh, action::SaveMesh, action::CloseMesh,
-                                action::ExportMesh, action::ExportMarkers, action::ExportRecipe,
-                                action::ExportConvergence, action::Quit>;
-
-}  // namespace winslow::gui
-
 /// Past commands: going back to them and changing them. Carried out by HistoryEditor.
-namespace winslow::gui::action {
 
 struct Undo {};
 struct Redo {};
@@ -90,18 +80,8 @@ struct ReplayRecipe {
   std::filesystem::path path;
 };
 
-}  // namespace winslow::gui::action
-
-namespace winslow::gui {
-
-using HistoryAction = std::variant<action::Undo, action::Redo, action::GoToStep, action::EditStep,
-                                   action::DeleteStep, action::BringBack, action::ReplayRecipe>;
-
-}  // namespace winslow::gui
-
 /// The solver: what it carries out, how, and the layers that it is to insert. Carried out by Jobs,
 /// SolverSettings and MeshLayers.
-namespace winslow::gui::action {
 
 struct RunSmooth {};
 struct Scramble {
@@ -166,25 +146,7 @@ struct PreviewLayers {
   std::optional<LayerOptions> options;
 };
 
-}  // namespace winslow::gui::action
-
-namespace winslow::gui {
-
-using JobAction =
-    std::variant<action::RunSmooth, action::Scramble, action::PauseSolver, action::ResumeSolver,
-                 action::StepSolver, action::CancelSolver, action::SetPace, action::FollowSolver,
-                 action::RunCommand, action::RerunStep>;
-
-using SettingsAction =
-    std::variant<action::EditSmoothOptions, action::EditMotionOptions, action::PairMarkers,
-                 action::OverrideNode, action::StepOverride, action::ChooseReference>;
-
-using LayerAction = std::variant<action::PreviewLayers>;
-
-}  // namespace winslow::gui
-
 /// Answers to what the studio says. Carried out by MessageBoard.
-namespace winslow::gui::action {
 
 struct DismissPrompt {};
 struct DismissBanner {};
@@ -193,16 +155,7 @@ struct Remark {
   std::string text;
 };
 
-}  // namespace winslow::gui::action
-
-namespace winslow::gui {
-
-using MessageAction = std::variant<action::DismissPrompt, action::DismissBanner, action::Remark>;
-
-}  // namespace winslow::gui
-
 /// Motions and changes of shape, typed or under the mouse. Carried out by Motions.
-namespace winslow::gui::action {
 
 /// In the plane or in space, as the open mesh is.
 struct ApplyMotion {
@@ -227,18 +180,7 @@ struct DragTo {
 struct EndDrag {};
 struct CancelDrag {};
 
-}  // namespace winslow::gui::action
-
-namespace winslow::gui {
-
-using MotionAction =
-    std::variant<action::ApplyMotion, action::ApplyDeformation, action::SetShapeEdit,
-                 action::BeginDrag, action::DragTo, action::EndDrag, action::CancelDrag>;
-
-}  // namespace winslow::gui
-
 /// What is selected, hovered, pinned and inspected. Carried out by Selection.
-namespace winslow::gui::action {
 
 struct SelectMarkers {
   std::vector<Index> markers;
@@ -296,20 +238,7 @@ struct PinNodes {
   bool pinned = true;  ///< false: take the pins away
 };
 
-}  // namespace winslow::gui::action
-
-namespace winslow::gui {
-
-using SelectionAction =
-    std::variant<action::SelectMarkers, action::HoverMarkers, action::SetPivot,
-                 action::SetSpacePivot, action::SetSpaceAxis, action::TakePivot, action::PickPivot,
-                 action::SelectArc, action::SelectPatch, action::PreviewDeformation,
-                 action::PreviewMotion, action::SelectNode, action::HoverNode, action::PinNodes>;
-
-}  // namespace winslow::gui
-
 /// Changes of virtual control volumes. Carried out by VcvEditor.
-namespace winslow::gui::action {
 
 /// Changes VCVs and smooths. under_mouse: the mesh follows every further EditVcvs, which replaces
 /// the edits before, until EndVcvEdit.
@@ -324,6 +253,65 @@ struct CancelVcvEdit {};
 
 namespace winslow::gui {
 
+using FileAction = std::variant<action::OpenMesh, action::SaveMesh, action::CloseMesh,
+                                action::ExportMesh, action::ExportMarkers, action::ExportRecipe,
+                                action::ExportConvergence, action::Quit>;
+using HistoryAction = std::variant<action::Undo, action::Redo, action::GoToStep, action::EditStep,
+                                   action::DeleteStep, action::BringBack, action::ReplayRecipe>;
+using JobAction =
+    std::variant<action::RunSmooth, action::Scramble, action::PauseSolver, action::ResumeSolver,
+                 action::StepSolver, action::CancelSolver, action::SetPace, action::FollowSolver,
+                 action::RunCommand, action::RerunStep>;
+
+using SettingsAction =
+    std::variant<action::EditSmoothOptions, action::EditMotionOptions, action::PairMarkers,
+                 action::OverrideNode, action::StepOverride, action::ChooseReference>;
+
+using LayerAction = std::variant<action::PreviewLayers>;
+using MessageAction = std::variant<action::DismissPrompt, action::DismissBanner, action::Remark>;
+using MotionAction =
+    std::variant<action::ApplyMotion, action::ApplyDeformation, action::SetShapeEdit,
+                 action::BeginDrag, action::DragTo, action::EndDrag, action::CancelDrag>;
+using SelectionAction =
+    std::variant<action::SelectMarkers, action::HoverMarkers, action::SetPivot,
+                 action::SetSpacePivot, action::SetSpaceAxis, action::TakePivot, action::PickPivot,
+                 action::SelectArc, action::SelectPatch, action::PreviewDeformation,
+                 action::PreviewMotion, action::SelectNode, action::HoverNode, action::PinNodes>;
 using VcvAction = std::variant<action::EditVcvs, action::EndVcvEdit, action::CancelVcvEdit>;
+
+/// Hands an action to the object that carries it out: to its function void on(const A&). An action
+/// without such a function does not compile, and neither does a handler that takes whatever it is
+/// given: it would swallow actions that nobody handles.
+class Dispatch {
+  struct NoAction {};
+  // By its exact type: an action must not reach a function through a conversion.
+  template <class Handler, class A>
+  static constexpr bool takes = requires {
+    static_cast<void (Handler::*)(const A&)>(&Handler::on);
+  };
+  template <class Handler>
+  static constexpr bool takes_anything = requires(Handler& handler, const NoAction& nothing) {
+    handler.on(nothing);
+  };
+  template <class Handler, class... As>
+  static constexpr bool takes_all(const std::variant<As...>* /*actions*/) {
+    return (takes<Handler, As> && ...) && !takes_anything<Handler>;
+  }
+
+ public:
+  template <class Handler, class... As>
+  static void to(Handler& handler, const std::variant<As...>& action) {
+    static_assert(!takes_anything<Handler>, "on() takes what is no action at all");
+    static_assert((takes<Handler, As> && ...), "an action that the handler has no on() for");
+    std::visit([&handler](const auto& a) { handler.on(a); }, action);
+  }
+
+  /// `Handler` has a function on() for every alternative of the variant `Actions`, and for nothing
+  /// else.
+  template <class Handler, class Actions>
+  static constexpr bool complete() {
+    return takes_all<Handler>(static_cast<const Actions*>(nullptr));
+  }
+};
 
 }  // namespace winslow::gui

@@ -36,6 +36,11 @@ class ArchiveWriter {
     static_assert(std::is_trivially_copyable_v<Number>);
     bytes(reinterpret_cast<const char*>(&value), sizeof value);
   }
+  /// One after another.
+  template <class... Numbers>
+  void each(const Numbers&... values) {
+    (number(values), ...);
+  }
   template <class Number>
   void numbers(const std::vector<Number>& values) {
     numbers(std::span<const Number>(values));
@@ -83,6 +88,10 @@ class ArchiveReader {
       if (bytes[0] != 0 && bytes[0] != 1) fail("neither yes nor no");
     }
     std::memcpy(&value, bytes.data(), sizeof value);
+  }
+  template <class... Numbers>
+  void each(Numbers&... values) {
+    (number(values), ...);
   }
   template <class Number>
   void numbers(std::vector<Number>& values) {

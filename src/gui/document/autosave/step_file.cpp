@@ -15,30 +15,16 @@ constexpr std::uint64_t magic = 0x0009504554534e57;  // "WNSTEP", version 9
 /// Every field of a record, named once for reading and writing.
 template <class Archive, class Record>
 void record_fields(Archive& archive, Record& r) {
-  archive.number(r.iteration);
-  archive.number(r.residual);
-  archive.number(r.largest_move);
-  archive.number(r.inverted);
-  archive.number(r.min_sine);
-  archive.number(r.damping);
-  archive.number(r.clipped);
-  archive.number(r.linear_iterations);
-  archive.number(r.fraction);
-  archive.number(r.stage);
+  archive.each(r.iteration, r.residual, r.largest_move, r.inverted, r.min_sine, r.damping,
+               r.clipped, r.linear_iterations, r.fraction, r.stage);
 }
 
 template <class Archive, class Result>
 void result_fields(Archive& archive, Result& r) {
-  archive.number(r.converged);
-  archive.number(r.outer_iterations);
-  archive.number(r.linear_solves);
-  archive.number(r.residual);
-  archive.number(r.out_of_iterations);
-  archive.number(r.fraction_reached);
-  archive.number(r.increments);
+  archive.each(r.converged, r.outer_iterations, r.linear_solves, r.residual, r.out_of_iterations,
+               r.fraction_reached, r.increments);
   archive.text(r.linear_solver);
-  archive.number(r.inverted);
-  archive.number(r.stuck_nodes);
+  archive.each(r.inverted, r.stuck_nodes);
 }
 
 /// Connectivity as the arrays that it is built from.
@@ -62,17 +48,9 @@ void topology_fields(Archive& archive, Data& data) {
 template <class Archive, class Stack>
 void layer_fields(Archive& archive, Stack& stack) {
   archive.list(stack.columns, [](auto& a, auto& column) {
-    a.number(column.wall_node);
-    a.number(column.wall);
-    a.number(column.direction.x());
-    a.number(column.direction.y());
-    a.number(column.slant);
-    a.number(column.along_boundary);
-    a.number(column.first);
-    a.number(column.asked);
-    a.number(column.room);
-    a.number(column.limit);
-    a.number(column.prescribed);
+    a.each(column.wall_node, column.wall, column.direction.x(), column.direction.y(), column.slant,
+           column.along_boundary, column.first, column.asked, column.room, column.limit,
+           column.prescribed);
     a.numbers(column.heights);
     a.numbers(column.granted);
     a.number(column.granted_limit);
@@ -160,17 +138,12 @@ struct ShapeData {
 
 template <class Archive, class Data>
 void shape_fields(Archive& archive, Data& data) {
-  archive.number(data.rules.angle);
-  archive.number(data.rules.slide_along);
+  archive.each(data.rules.angle, data.rules.slide_along);
   archive.numbers(data.rules.hold);
   archive.numbers(data.rules.smooth);
   archive.text(data.name);
   archive.text(data.source);
-  archive.list(data.points, [](auto& a, auto& point) {
-    a.number(point.x());
-    a.number(point.y());
-    a.number(point.z());
-  });
+  archive.list(data.points, [](auto& a, auto& point) { a.each(point.x(), point.y(), point.z()); });
   archive.numbers(data.faces);
 }
 
@@ -234,14 +207,8 @@ struct Parts {
 
 template <class Archive, class AnyParts>
 void part_fields(Archive& archive, AnyParts& parts) {
-  archive.number(parts.topology);
-  archive.number(parts.vcv);
-  archive.number(parts.layers);
-  archive.number(parts.any_layers);
-  archive.number(parts.spheres);
-  archive.number(parts.shape);
-  archive.number(parts.roles);
-  archive.number(parts.any_roles);
+  archive.each(parts.topology, parts.vcv, parts.layers, parts.any_layers, parts.spheres,
+               parts.shape, parts.roles, parts.any_roles);
 }
 
 Parts changed_parts(const MeshState& state, const MeshState& before) {

@@ -1,8 +1,49 @@
 #include "gui/document/history/document.h"
 
+#include <system_error>
+
 #include "core/strategy/surface_shape.h"
 
 namespace winslow::gui {
+
+namespace {
+
+std::filesystem::path resolved(const std::filesystem::path& path) {
+  std::error_code ignored;
+  auto result = std::filesystem::weakly_canonical(path, ignored);
+  return ignored ? path : result;
+}
+
+}  // namespace
+
+std::span<const int> SourceFile::zones() const {
+  if (!details) return {};
+  return details->zones;
+}
+
+int SourceFile::zone() const { return zones().empty() ? 0 : details->zone; }
+
+std::string SourceFile::zone_text() const {
+  const auto all = zones();
+  if (all.size() < 2) return {};
+  return "zone " + std::to_string(zone()) + " of " + std::to_string(all.size());
+}
+
+void SavedFile::mark_saved(const std::filesystem::path& path, std::uint64_t revision) {
+  path_ = path;
+  saved_revision_ = revision;
+  written_.insert(resolved(path));
+}
+
+bool SavedFile::wrote(const std::filesystem::path& path) const {
+  return written_.contains(resolved(path));
+}
+
+const std::filesystem::path& zone_file(const SourceFile& source, const SavedFile& saved) {
+  const bool kept =
+      saved.wrote(saved.path()) && source.details && io::keeps_zones(saved.path(), *source.details);
+  return kept ? saved.path() : source.path;
+}
 
 Document::Loaded Document::load(const std::filesystem::path& path, int zone) {
   Loaded loaded;
@@ -17,12 +58,10 @@ Document::Loaded Document::load(const std::filesystem::path& path, int zone) {
 
 void examine(Document::Loaded& loaded) {
   const Mesh& mesh = loaded.state.mesh;
-  if (is_surface(*mesh.topology)) {
-    // What smoothing would find anyway, and says why where it cannot: which elements face the right
-    // way is told by it.
-    loaded.state.surface = own_shape(mesh);
-    if (loaded.state.surface) loaded.given = std::make_shared<const SurfaceDistance>(mesh);
-  }
+  // Of a surface mesh: what smoothing would find anyway, and says why where it cannot. Which
+  // elements face the right way is told by it.
+  loaded.state.surface = own_shape(mesh);
+  if (loaded.state.surface) loaded.given = std::make_shared<const SurfaceDistance>(mesh);
   const std::vector<Vec3> normals = reference_normals(loaded.state, mesh.coordinates);
   QualityOptions options;
   options.normals = normals;

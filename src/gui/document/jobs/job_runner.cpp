@@ -186,13 +186,11 @@ void settle(DeformCommand& deform, double fraction, const Coordinates& rest,
   auto* table = std::get_if<DisplacementTable>(&deform.shape);
   if (!table) return;
   for (DisplacementEntry& entry : table->entries) {
-    if (entry.node && now.dimension() == 3) {
-      entry.displacement = GivenVector::of_three(now.xyz(*entry.node) - rest.xyz(*entry.node));
-    } else if (entry.node) {
-      entry.displacement = Vec2(now.xy(*entry.node) - rest.xy(*entry.node));
-    } else {
+    if (entry.node)
+      entry.displacement = GivenVector::of(
+          now.dimension(), place_of(now, *entry.node) - place_of(rest, *entry.node));
+    else
       entry.displacement *= fraction;
-    }
   }
 }
 

@@ -1,5 +1,7 @@
 #include "gui/document/selection/boundary_index.h"
 
+#include "gui/base/screen.h"
+
 namespace winslow::gui {
 
 namespace {
@@ -19,13 +21,8 @@ double signed_area(const Coordinates& x, const std::vector<Index>& loop) {
 
 bool contains(const Coordinates& x, const std::vector<Index>& loop, const Vec2& point) {
   bool inside = false;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Vec2 p = x.xy(loop[i]);
-    const Vec2 q = x.xy(loop[(i + 1) % loop.size()]);
-    if ((p.y() > point.y()) == (q.y() > point.y())) continue;
-    const double t = (point.y() - p.y()) / (q.y() - p.y());
-    if (point.x() < p.x() + t * (q.x() - p.x())) inside = !inside;
-  }
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    if (right_of<Vec2>(point, x.xy(loop[i]), x.xy(loop[(i + 1) % loop.size()]))) inside = !inside;
   return inside;
 }
 
@@ -50,7 +47,7 @@ void BoundaryIndex::find_bodies() {
       const auto it = marker_at.find(key(loop[i], loop[(i + 1) % loop.size()]));
       if (it == marker_at.end()) continue;
       body.markers.push_back(it->second);
-      marker_body_[static_cast<std::size_t>(it->second)] = static_cast<Index>(bodies_.size());
+      marker_body_[at(it->second)] = static_cast<Index>(bodies_.size());
     }
     std::sort(body.markers.begin(), body.markers.end());
     body.markers.erase(std::unique(body.markers.begin(), body.markers.end()), body.markers.end());
@@ -80,7 +77,7 @@ double BoundaryIndex::edge_distance(const Edge& edge, const Vec2& point) const {
 }
 
 const BoundaryIndex::Edge* BoundaryIndex::nearest(const Vec2& point, double radius) const {
-  const auto edge = [this](Index i) -> const Edge& { return edges_[static_cast<std::size_t>(i)]; };
+  const auto edge = [this](Index i) -> const Edge& { return edges_[at(i)]; };
   const auto found =
       tree_.nearest(point, radius, [&](Index i) { return edge_distance(edge(i), point); });
   return found ? &edge(found->item) : nullptr;
@@ -120,10 +117,9 @@ std::optional<BoundaryIndex::NodeHit> BoundaryIndex::pick_node(const Vec2& point
   const double to_a = (coordinates_.xy(edge->a) - point).norm();
   const double to_b = (coordinates_.xy(edge->b) - point).norm();
   if (std::min(to_a, to_b) > radius) return std::nullopt;
-  NodeHit hit{to_a <= to_b ? edge->a : edge->b,
-              marker_body_[static_cast<std::size_t>(edge->marker)], 0};
+  NodeHit hit{to_a <= to_b ? edge->a : edge->b, marker_body_[at(edge->marker)], 0};
   if (hit.body < 0) return std::nullopt;
-  const auto& loop = bodies_[static_cast<std::size_t>(hit.body)].nodes;
+  const auto& loop = bodies_[at(hit.body)].nodes;
   const auto it = std::find(loop.begin(), loop.end(), hit.node);
   if (it == loop.end()) return std::nullopt;
   hit.position = static_cast<std::size_t>(it - loop.begin());
@@ -131,8 +127,8 @@ std::optional<BoundaryIndex::NodeHit> BoundaryIndex::pick_node(const Vec2& point
 }
 
 const BoundaryIndex::Body* BoundaryIndex::body_of(Index marker) const {
-  const Index body = marker_body_[static_cast<std::size_t>(marker)];
-  return body < 0 ? nullptr : &bodies_[static_cast<std::size_t>(body)];
+  const Index body = marker_body_[at(marker)];
+  return body < 0 ? nullptr : &bodies_[at(body)];
 }
 
 double BoundaryIndex::reach(const std::vector<Index>& markers, const Vec2& point) const {
@@ -141,6 +137,12 @@ double BoundaryIndex::reach(const std::vector<Index>& markers, const Vec2& point
     for (Index node : topology_->markers().nodes(m))
       reach = std::max(reach, (coordinates_.xy(node) - point).norm());
   return reach;
+}
+
+std::vector<std::string> marker_names(const Topology& topology, const std::vector<Index>& markers) {
+  std::vector<std::string> names;
+  for (const Index m : markers) names.push_back(topology.markers()[at(m)].name);
+  return names;
 }
 
 bool BoundaryArc::contains(std::size_t position) const {
@@ -158,30 +160,22 @@ BoundaryArc extended(const BoundaryArc& arc, std::size_t position, std::size_t n
 
 DragGrip grip_of(const BoundaryArc& arc, double radius, const BoundaryIndex& boundary,
                  const Topology& topology, const Coordinates& rest) {
-  const auto& body = boundary.bodies()[static_cast<std::size_t>(arc.body)];
+  const auto& body = boundary.bodies()[at(arc.body)];
   FadedArc faded = faded_arc(body.nodes, rest, arc.first, arc.last, radius);
-  DragGrip grip;
-  for (Index m : body.markers)
-    grip.markers.push_back(topology.markers()[static_cast<std::size_t>(m)].name);
-  grip.nodes = std::move(faded.nodes);
-  grip.shares = std::move(faded.shares);
-  return grip;
+  return {marker_names(topology, body.markers), std::move(faded.nodes), std::move(faded.shares)};
 }
 
 bool SurfacePatch::contains(Index node) const { return std::ranges::binary_search(nodes, node); }
 
 DragGrip grip_of(const SurfacePatch& patch, double radius, const Mesh& rest) {
   std::vector<Face> faces;
-  DragGrip grip;
   for (const Index m : patch.markers) {
-    const Marker& marker = rest.topology->markers()[at(m)];
-    grip.markers.push_back(marker.name);
-    faces.insert(faces.end(), marker.faces.begin(), marker.faces.end());
+    const auto& own = rest.topology->markers()[at(m)].faces;
+    faces.insert(faces.end(), own.begin(), own.end());
   }
   FadedPatch faded = faded_patch(faces, rest.coordinates, patch.nodes, radius);
-  grip.nodes = std::move(faded.nodes);
-  grip.shares = std::move(faded.shares);
-  return grip;
+  return {marker_names(*rest.topology, patch.markers), std::move(faded.nodes),
+          std::move(faded.shares)};
 }
 
 }  // namespace winslow::gui

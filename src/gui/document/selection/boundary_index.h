@@ -70,6 +70,9 @@ class BoundaryIndex {
   Coordinates coordinates_;
 };
 
+/// Names of markers that are given by their numbers.
+std::vector<std::string> marker_names(const Topology& topology, const std::vector<Index>& markers);
+
 /// A run of nodes along a closed boundary loop, forward from `first` to `last`.
 struct BoundaryArc {
   Index body = 0;                   ///< of BoundaryIndex::bodies()

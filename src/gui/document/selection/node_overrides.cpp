@@ -79,18 +79,21 @@ std::string NodeOverrides::redoable(std::uint64_t revision) const {
   return top_of(undone_, revision);
 }
 
+/// Takes the last change from one list to the other.
+std::string NodeOverrides::step(std::vector<Change>& from, std::vector<Change>& to) {
+  to.push_back(from.back());
+  from.pop_back();
+  return describe(to.back());
+}
+
 std::string NodeOverrides::undo(SlideOptions& slide) {
   put(slide, done_.back().node, done_.back().before);
-  undone_.push_back(done_.back());
-  done_.pop_back();
-  return describe(undone_.back());
+  return step(done_, undone_);
 }
 
 std::string NodeOverrides::redo(SlideOptions& slide) {
   put(slide, undone_.back().node, undone_.back().after);
-  done_.push_back(undone_.back());
-  undone_.pop_back();
-  return describe(done_.back());
+  return step(undone_, done_);
 }
 
 bool NodeSelection::pinned(Index node) const {

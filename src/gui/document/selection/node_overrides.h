@@ -47,6 +47,7 @@ class NodeOverrides {
     NodeOverride before, after;
   };
   static std::string describe(const Change& change);
+  static std::string step(std::vector<Change>& from, std::vector<Change>& to);
   static std::string top_of(const std::vector<Change>& changes, std::uint64_t revision);
 
   std::vector<Change> done_, undone_;

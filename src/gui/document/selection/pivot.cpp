@@ -71,20 +71,25 @@ Vec2 mean(const std::vector<Vec2>& points) {
   return sum / static_cast<double>(points.size());
 }
 
+/// In the order of PivotPlace.
+struct NamedAnchor {
+  const char* name;
+  Vec2 BodyAnchors::*point;
+};
+constexpr std::array<NamedAnchor, 4> named_anchors{
+    {{"centre", &BodyAnchors::centre},
+     {"centroid", &BodyAnchors::centroid},
+     {"leading edge", &BodyAnchors::leading_edge},
+     {"trailing edge", &BodyAnchors::trailing_edge}}};
+
 }  // namespace
 
 const Vec2& BodyAnchors::at(PivotPlace place) const {
-  switch (place) {
-    case PivotPlace::centroid:
-      return centroid;
-    case PivotPlace::leading_edge:
-      return leading_edge;
-    case PivotPlace::trailing_edge:
-      return trailing_edge;
-    case PivotPlace::centre:
-      break;
-  }
-  return centre;
+  return this->*named_anchors[static_cast<std::size_t>(place)].point;
+}
+
+const char* pivot_place_name(PivotPlace place) {
+  return named_anchors[static_cast<std::size_t>(place)].name;
 }
 
 BodyAnchors find_anchors(const std::vector<std::vector<Index>>& loops,
@@ -126,20 +131,6 @@ BodyAnchors find_anchors(const std::vector<std::vector<Index>>& loops,
   return anchors;
 }
 
-const char* pivot_place_name(PivotPlace place) {
-  switch (place) {
-    case PivotPlace::centroid:
-      return "centroid";
-    case PivotPlace::leading_edge:
-      return "leading edge";
-    case PivotPlace::trailing_edge:
-      return "trailing edge";
-    case PivotPlace::centre:
-      break;
-  }
-  return "centre";
-}
-
 namespace {
 
 /// A line has two directions: the one that is positive along the axis that it follows most.
@@ -179,24 +170,6 @@ std::optional<SpacePivot> pivot_at(const PivotSource& source, const Coordinates&
   const Vec3 unit = direction.normalized();
   pivot.axis = source.nodes.size() == 2 ? upright(unit) : unit;
   return pivot;
-}
-
-const char* pivot_from_name(PivotFrom from) {
-  switch (from) {
-    case PivotFrom::centre:
-      return "centre";
-    case PivotFrom::typed:
-      return "numbers";
-    case PivotFrom::node:
-      return "node";
-    case PivotFrom::edge:
-      return "edge";
-    case PivotFrom::nodes:
-      return "two nodes";
-    case PivotFrom::face:
-      return "face";
-  }
-  return "";
 }
 
 RigidMotion motion_of(bool in_plane, double rotate, const Vec3& translate, const Vec3& pivot,

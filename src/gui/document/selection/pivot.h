@@ -59,9 +59,6 @@ struct SpacePivot {
 std::optional<SpacePivot> pivot_at(const PivotSource& source, const Coordinates& x,
                                    const Vec3& axis);
 
-/// "node", "edge", ...
-const char* pivot_from_name(PivotFrom from);
-
 /// A motion of a mesh of the plane, which has no axis, or of one in space.
 RigidMotion motion_of(bool in_plane, double rotate, const Vec3& translate, const Vec3& pivot,
                       const Vec3& axis);

@@ -91,7 +91,7 @@ void Files::adopt(Document::Loaded loaded) {
   messages_.clear_banner();
   mesh_.open(std::move(document));
   settings_.forget_mesh();
-  show_position();
+  jobs_.show_position();
   const Document& opened = *mesh_.document();
   const auto& warnings = opened.source().warnings;
   std::string name = opened.name();
@@ -133,7 +133,7 @@ void Files::restore(RestoredSession restored) {
     after.slide = *slide;
     settings_.on(action::EditSmoothOptions{difference(settings_.smooth_options(), after)});
   }
-  show_position();
+  jobs_.show_position();
   messages_.tell(Notice::Kind::success, "The session of " + document.name() +
                                             " is restored, with " + counted(count, "command"));
   if (!restored.damage.empty()) messages_.report_error("Restored in part", restored.damage);
@@ -168,7 +168,7 @@ void Files::on(const action::SaveMesh& a) {
   }
   const Document& document = *mesh_.document();
   const std::filesystem::path path = a.path.empty() ? document.path() : a.path;
-  if (!may_write(path)) return;
+  if (!messages_.may_write(path)) return;
   const Mesh& mesh = document.state().mesh;
   const Validity validity = check_validity(*mesh.topology, mesh.coordinates, 0,
                                            reference_normals(document.state(), mesh.coordinates));
@@ -183,8 +183,8 @@ void Files::on(const action::SaveMesh& a) {
     return;
   }
   const bool overwrite = a.overwrite || document.saved().wrote(path);
-  if (may_export(path, overwrite, "Saving",
-                 action::SaveMesh{path, true, a.allow_inverted, a.proceed}))
+  if (messages_.may_replace(path, overwrite, " Saving replaces what is in it.",
+                            action::SaveMesh{path, true, a.allow_inverted, a.proceed}))
     start_saver(path, false, a.proceed);
 }
 
@@ -227,24 +227,6 @@ void Files::on(const action::Quit& a) {
   ask_to_save(a, action::Quit{true});
 }
 
-/// Nothing is written among the meshes that come with the program.
-bool Files::may_write(const std::filesystem::path& path) {
-  if (!bundled(path)) return true;
-  messages_.tell(Notice::Kind::warning, bundled_text);
-  return false;
-}
-
-/// Asks before a file is replaced. how: "Saving". again: what to do then.
-bool Files::may_export(const std::filesystem::path& path, bool overwrite, const char* how,
-                       Action again) {
-  if (overwrite || !is_there(path)) return true;
-  messages_.ask({Prompt::Kind::question,
-                 "Replace the file?",
-                 path.filename().string() + " exists already. " + how + " replaces what is in it.",
-                 {{"Replace", {std::move(again)}, false}, {"Cancel", {}, true}}});
-  return false;
-}
-
 void Files::on(const action::ExportMesh& a) {
   if (!mesh_.document() || a.path.empty()) return;
   if (mesh_.in_motion() || saver_.busy()) {
@@ -252,23 +234,23 @@ void Files::on(const action::ExportMesh& a) {
                    "Wait until the solver is done, or cancel it, before exporting.");
     return;
   }
-  if (may_write(a.path) &&
-      may_export(a.path, a.overwrite, "Exporting", action::ExportMesh{a.path, true}))
+  if (messages_.may_write(a.path) &&
+      messages_.may_replace(a.path, a.overwrite, " Exporting replaces what is in it.",
+                            action::ExportMesh{a.path, true}))
     start_saver(a.path, true);
 }
 
 void Files::on(const action::ExportMarkers& a) {
-  if (!mesh_.document() || a.path.empty() || !may_write(a.path)) return;
-  if (!may_export(a.path, a.overwrite, "Exporting", action::ExportMarkers{a.path, a.markers, true}))
+  if (!mesh_.document() || a.path.empty() || !messages_.may_write(a.path)) return;
+  if (!messages_.may_replace(a.path, a.overwrite, " Exporting replaces what is in it.",
+                             action::ExportMarkers{a.path, a.markers, true}))
     return;
   const auto& markers = mesh_.topology()->markers();
   std::vector<Index> wanted = a.markers.empty() ? selection_.markers() : a.markers;
   if (wanted.empty())
     for (Index m = 0; m < static_cast<Index>(markers.size()); ++m) wanted.push_back(m);
-  std::vector<std::string> names;
-  for (Index m : wanted)
-    if (m >= 0 && m < static_cast<Index>(markers.size()))
-      names.push_back(markers[static_cast<std::size_t>(m)].name);
+  std::erase_if(wanted, [&](Index m) { return m < 0 || at(m) >= markers.size(); });
+  const std::vector<std::string> names = marker_names(*mesh_.topology(), wanted);
   const Mesh mesh{mesh_.topology(), mesh_.coordinates()};
   const std::string error = error_of([&] { io::write_boundary(a.path, mesh, names); });
   if (!error.empty()) return messages_.report_error("Cannot export the markers", error);
@@ -277,8 +259,10 @@ void Files::on(const action::ExportMarkers& a) {
 }
 
 void Files::on(const action::ExportRecipe& a) {
-  if (!mesh_.document() || a.path.empty() || !may_write(a.path)) return;
-  if (!may_export(a.path, a.overwrite, "Saving", action::ExportRecipe{a.path, true})) return;
+  if (!mesh_.document() || a.path.empty() || !messages_.may_write(a.path)) return;
+  if (!messages_.may_replace(a.path, a.overwrite, " Saving replaces what is in it.",
+                             action::ExportRecipe{a.path, true}))
+    return;
   const Document& document = *mesh_.document();
   io::Recipe recipe;
   std::error_code ignored;
@@ -296,19 +280,17 @@ void Files::on(const action::ExportConvergence& a) {
   if (shown.empty() || a.path.empty()) return;
   if (csv_writer_.busy())
     return messages_.tell(Notice::Kind::warning, "Still writing the last one.");
-  if (!may_write(a.path)) return;
-  if (!may_export(a.path, a.overwrite, "Saving", action::ExportConvergence{a.path, true})) return;
+  if (!messages_.may_write(a.path)) return;
+  if (!messages_.may_replace(a.path, a.overwrite, " Saving replaces what is in it.",
+                             action::ExportConvergence{a.path, true}))
+    return;
   const int number = static_cast<int>(mesh_.document()->history().position()) +
                      (mesh_.work().job().active() ? 1 : 0);
   csv_writer_.start(
       [path = a.path, number, records = std::vector<IterationRecord>(shown.begin(), shown.end())] {
-        CsvOutcome outcome{path, records.size(), {}};
-        try {
-          io::write_convergence_csv(path, {{number, records}});
-        } catch (const std::exception& error) {
-          outcome.error = error.what();
-        }
-        return outcome;
+        return CsvOutcome{path, records.size(), error_of([&] {
+                            io::write_convergence_csv(path, {{number, records}});
+                          })};
       });
 }
 

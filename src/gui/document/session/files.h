@@ -1,7 +1,6 @@
 #pragma once
 
 #include "gui/base/background.h"
-#include "gui/document/actions/dispatch.h"
 #include "gui/document/actions/document_actions.h"
 #include "gui/document/history/document.h"
 #include "gui/document/session/jobs.h"
@@ -19,7 +18,6 @@ class Files {
         Jobs& jobs)
       : mesh_(mesh), messages_(messages), selection_(selection), settings_(settings), jobs_(jobs) {}
 
-  void apply(const FileAction& action) { Dispatch::to(*this, action); }
   /// Collects what the threads have done since the last call. True if anything changed.
   bool poll();
   bool busy() const { return loader_.busy() || saver_.busy() || csv_writer_.busy(); }
@@ -48,14 +46,11 @@ class Files {
   void on(const action::Quit& a);
 
  private:
-  bool may_write(const std::filesystem::path& path);
-  bool may_export(const std::filesystem::path& path, bool overwrite, const char* how, Action again);
   void start_saver(const std::filesystem::path& path, bool copy, bool proceed = false);
   bool poll_loader();
   bool poll_saver();
   bool poll_csv();
   void adopt(Document::Loaded loaded);
-  void show_position() { winslow::gui::show_position(mesh_, selection_, messages_); }
 
   struct LoadOutcome {
     std::shared_ptr<Document::Loaded> loaded;

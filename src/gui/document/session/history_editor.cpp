@@ -14,7 +14,7 @@ void HistoryEditor::on(const action::Undo&) {
   if (!history.can_undo()) return;
   const std::string undone = describe(history.command(history.position()));
   mesh_.document()->edits().undo();
-  show_position();
+  jobs_.show_position();
   messages_.tell(Notice::Kind::information, "Undone: " + undone);
 }
 
@@ -24,7 +24,7 @@ void HistoryEditor::on(const action::Redo&) {
     return settings_.on(action::StepOverride{true});
   if (!mesh_.document()->history().can_redo()) return;
   mesh_.document()->edits().redo();
-  show_position();
+  jobs_.show_position();
   const History& history = mesh_.document()->history();
   messages_.tell(Notice::Kind::information,
                  "Done again: " + describe(history.command(history.position())));
@@ -34,7 +34,7 @@ void HistoryEditor::on(const action::GoToStep& a) {
   if (!mesh_.document()) return;
   jobs_.stop();
   mesh_.document()->edits().go_to(a.position);
-  show_position();
+  jobs_.show_position();
   const History& history = mesh_.document()->history();
   messages_.tell(Notice::Kind::information,
                  history.position() == 0 ? "The mesh is as it was opened."
@@ -43,13 +43,14 @@ void HistoryEditor::on(const action::GoToStep& a) {
 }
 
 bool HistoryEditor::may_change() {
+  if (!mesh_.document()) return false;
   if (!mesh_.in_motion() && !mesh_.work().held().body) return true;
   messages_.tell(Notice::Kind::warning, "Wait until the solver is done, or cancel it.");
   return false;
 }
 
 void HistoryEditor::on(const action::EditStep& a) {
-  if (!mesh_.document() || !may_change()) return;
+  if (!may_change()) return;
   const History& history = mesh_.document()->history();
   if (a.position == 0 || a.position >= history.size()) return;
   CommandQueue::Plan plan;
@@ -60,7 +61,7 @@ void HistoryEditor::on(const action::EditStep& a) {
 }
 
 void HistoryEditor::on(const action::DeleteStep& a) {
-  if (!mesh_.document() || !may_change()) return;
+  if (!may_change()) return;
   const History& history = mesh_.document()->history();
   if (a.position == 0 || a.position >= history.size()) return;
   CommandQueue::Plan plan;
@@ -87,7 +88,7 @@ void HistoryEditor::on(const action::BringBack& a) {
   if (!mesh_.document() || a.kept >= mesh_.document()->edits().kept().size() || !may_change())
     return;
   mesh_.document()->edits().bring_back(a.kept);
-  show_position();
+  jobs_.show_position();
   messages_.tell(Notice::Kind::success,
                  "The earlier history is back; the other one is kept in its place.");
 }
@@ -96,11 +97,7 @@ void HistoryEditor::on(const action::ReplayRecipe& a) {
   if (!mesh_.document() || recipe_reader_.busy() || !may_change()) return;
   recipe_reader_.start([path = a.path, generation = mesh_.generation()] {
     RecipeOutcome outcome{path, generation, {}, {}};
-    try {
-      outcome.commands = io::read_recipe(path).commands;
-    } catch (const std::exception& error) {
-      outcome.error = error.what();
-    }
+    outcome.error = error_of([&] { outcome.commands = io::read_recipe(path).commands; });
     return outcome;
   });
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "gui/base/background.h"
-#include "gui/document/actions/dispatch.h"
 #include "gui/document/actions/document_actions.h"
 #include "gui/document/session/jobs.h"
 #include "gui/document/session/live_mesh.h"
@@ -13,16 +12,10 @@ namespace winslow::gui {
 /// Goes to and fro in the history of the open mesh, changes past steps and replays recipes.
 class HistoryEditor {
  public:
-  HistoryEditor(LiveMesh& mesh, MessageBoard& messages, Selection& selection,
-                SolverSettings& settings, Jobs& jobs, Motions& motions)
-      : mesh_(mesh),
-        messages_(messages),
-        selection_(selection),
-        settings_(settings),
-        jobs_(jobs),
-        motions_(motions) {}
+  HistoryEditor(LiveMesh& mesh, MessageBoard& messages, SolverSettings& settings, Jobs& jobs,
+                Motions& motions)
+      : mesh_(mesh), messages_(messages), settings_(settings), jobs_(jobs), motions_(motions) {}
 
-  void apply(const HistoryAction& action) { Dispatch::to(*this, action); }
   /// Collects a recipe that was read. True if anything changed.
   bool poll();
   bool busy() const { return recipe_reader_.busy(); }
@@ -36,7 +29,6 @@ class HistoryEditor {
   void on(const action::ReplayRecipe& a);
 
  private:
-  void show_position() { winslow::gui::show_position(mesh_, selection_, messages_); }
   bool may_change();
   void revise(std::size_t step, std::string why, CommandQueue::Plan plan);
 
@@ -49,7 +41,6 @@ class HistoryEditor {
 
   LiveMesh& mesh_;
   MessageBoard& messages_;
-  Selection& selection_;
   SolverSettings& settings_;
   Jobs& jobs_;
   Motions& motions_;

@@ -13,7 +13,7 @@ BoundaryRoles::Question BoundaryRoles::question() const {
   now.slide = settings_.smooth_options().slide;
   const Topology& topology = *mesh_.document()->state().mesh.topology;
   drop_stale_overrides(now.slide, topology);  // kept for when their markers slide again
-  for (const Index m : selection_.markers()) now.moving.push_back(topology.markers()[at(m)].name);
+  now.moving = marker_names(topology, selection_.markers());
   return now;
 }
 

@@ -25,6 +25,12 @@ const QualityFloor& floor_of(const Command& command) {
 
 }  // namespace
 
+void Jobs::show_position() {
+  mesh_.changed();
+  selection_.refresh();
+  messages_.set_banner_of_position();
+}
+
 bool Jobs::poll() {
   bool changed = false;
   if (work_.job().poll()) {
@@ -208,7 +214,7 @@ void Jobs::keep(JobRunner::Outcome outcome) {
     document.saved().mark_shown_only(document.edits().revision());
   }
   mesh_.changed();
-  selection_.update_anchors();
+  selection_.own().follow_nodes();
   messages_.set_banner_of_result(smooth);
   if (queue_.active()) {
     queue_.advance();

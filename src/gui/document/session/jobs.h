@@ -1,6 +1,5 @@
 #pragma once
 
-#include "gui/document/actions/dispatch.h"
 #include "gui/document/actions/document_actions.h"
 #include "gui/document/history/edit_history.h"
 #include "gui/document/jobs/run_settings.h"
@@ -39,11 +38,13 @@ class Jobs {
              std::string cut_short = {});
   /// Carries out a plan, command after command.
   void start(CommandQueue::Plan plan);
+  /// The document has come to another mesh of its history: all that refers to the one on screen
+  /// follows.
+  void show_position();
   /// Ends what is under way at once; the mesh is as it was before.
   void stop();
   void cancel();
 
-  void apply(const JobAction& action) { Dispatch::to(*this, action); }
   void on(const action::RunSmooth&);
   void on(const action::Scramble& a) { start(ScrambleCommand{a.seed}, false); }
   void on(const action::PauseSolver&) { work_.job().pause(); }
@@ -56,7 +57,6 @@ class Jobs {
   void on(const action::RerunStep& a);
 
  private:
-  void show_position() { winslow::gui::show_position(mesh_, selection_, messages_); }
   void finish(JobRunner::Outcome outcome);
   void keep(JobRunner::Outcome outcome);
   void end_rerun();

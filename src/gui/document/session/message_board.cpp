@@ -2,12 +2,30 @@
 
 #include <cctype>
 
+#include "gui/base/background.h"
 #include "gui/base/text.h"
+#include "gui/files/assets.h"
 
 namespace winslow::gui {
 
 void MessageBoard::report_error(std::string title, std::string text) {
   ask({Prompt::Kind::error, std::move(title), std::move(text), {{"OK", {}, true}}});
+}
+
+bool MessageBoard::may_write(const std::filesystem::path& path) {
+  if (!bundled(path)) return true;
+  tell(Notice::Kind::warning, bundled_text);
+  return false;
+}
+
+bool MessageBoard::may_replace(const std::filesystem::path& path, bool overwrite,
+                               const std::string& why, Action again) {
+  if (overwrite || !is_there(path)) return true;
+  ask({Prompt::Kind::question,
+       "Replace the file?",
+       path.filename().string() + " exists already." + why,
+       {{"Replace", {std::move(again)}, false}, {"Cancel", {}, true}}});
+  return false;
 }
 
 void MessageBoard::tell(Notice::Kind kind, std::string text) {

@@ -4,7 +4,7 @@
 
 #include "core/quality/mesh_change.h"
 #include "gui/document/actions/actions.h"
-#include "gui/document/actions/dispatch.h"
+#include "gui/document/actions/document_actions.h"
 #include "gui/document/session/live_mesh.h"
 
 namespace winslow::gui {
@@ -15,12 +15,16 @@ class MessageBoard {
  public:
   explicit MessageBoard(const LiveMesh& mesh) : mesh_(mesh) {}
 
-  void apply(const MessageAction& action) { Dispatch::to(*this, action); }
-
   /// The first that waits for an answer; null if none does.
   const Prompt* prompt() const { return prompts_.empty() ? nullptr : &prompts_.front(); }
   void ask(Prompt prompt) { prompts_.push_back(std::move(prompt)); }
   void report_error(std::string title, std::string text);
+  /// Nothing is written among the meshes that come with the program: false, and the user is told.
+  bool may_write(const std::filesystem::path& path);
+  /// False where a file is there that must not be replaced yet: the user is asked, whose consent
+  /// does `again`. why: what is to be said of that, after a blank.
+  bool may_replace(const std::filesystem::path& path, bool overwrite, const std::string& why,
+                   Action again);
 
   const std::optional<Notice>& notice() const { return notice_; }
   void tell(Notice::Kind kind, std::string text);

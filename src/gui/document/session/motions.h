@@ -1,6 +1,5 @@
 #pragma once
 
-#include "gui/document/actions/dispatch.h"
 #include "gui/document/actions/document_actions.h"
 #include "gui/document/session/jobs.h"
 #include "gui/document/session/live_mesh.h"
@@ -21,7 +20,6 @@ class Motions {
         settings_(settings),
         jobs_(jobs) {}
 
-  void apply(const MotionAction& action) { Dispatch::to(*this, action); }
   /// The mesh is as it was before the drag.
   void cancel_drag();
 
@@ -51,6 +49,25 @@ class Motions {
   Jobs& jobs_;
   std::optional<RigidMotion> base_;   // motion of the job that the drag joined
   std::optional<Coordinates> start_;  // mesh that the drag took over from that job
+};
+
+/// Changes virtual control volumes: at once, or under the mouse with the mesh following.
+class VcvEditor {
+ public:
+  VcvEditor(OngoingWork& work, LiveMesh& mesh, MessageBoard& messages,
+            const SolverSettings& settings, Jobs& jobs)
+      : work_(work), mesh_(mesh), messages_(messages), settings_(settings), jobs_(jobs) {}
+
+  void on(const action::EditVcvs& a);
+  void on(const action::EndVcvEdit&);
+  void on(const action::CancelVcvEdit&);
+
+ private:
+  OngoingWork& work_;
+  LiveMesh& mesh_;
+  MessageBoard& messages_;
+  const SolverSettings& settings_;
+  Jobs& jobs_;
 };
 
 }  // namespace winslow::gui

@@ -1,6 +1,122 @@
 #include "gui/document/session/quality_watch.h"
 
+#include "core/strategy/surface_shape.h"
+
 namespace winslow::gui {
+
+namespace {
+
+// While a solver runs, measuring more often than the eye can follow would only slow it down.
+constexpr std::chrono::milliseconds live_interval{120};
+
+/// What a measurement is made with.
+struct Order {
+  QualityMonitor::Wish wish;
+  const void* named = nullptr;  // the numbers of wish.before, or of what it is a copy of
+  bool live = false;
+  int threads = 0;  // 0: all cores
+};
+
+bool by_deviation(const std::optional<ElementField>& field) { return field && field->surface(); }
+
+/// Colours of a surface mesh, and how far it is from what it was.
+void measure_surface(const QualityMonitor::Subject& subject, const Order& order,
+                     std::span<const Vec3> normals, QualityMonitor::Measured& measured) {
+  const Mesh& mesh = *subject.mesh;
+  const auto& field = order.wish.field;
+  const SurfaceDistance& given = *order.wish.given;
+  if (field) measured.values = surface_values(mesh, *field, normals, given, order.threads);
+  if (!subject.surface || (order.live && !by_deviation(field))) return;
+  const std::vector<double> distances =
+      by_deviation(field) ? measured.values : element_distances(mesh, given, order.threads);
+  QualityMonitor::Deviation deviation;
+  deviation.change = compare_surfaces({mesh.topology, subject.surface->given}, given, mesh,
+                                      distances, order.threads);
+  deviation.worst =
+      worst_elements(mesh, distances, field_info(SurfaceField::deviation), most_worst);
+  measured.deviation = std::move(deviation);
+}
+
+std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape,
+                                                        const QualityMonitor::Subject& subject,
+                                                        const Order& order) {
+  auto measured = std::make_shared<QualityMonitor::Measured>();
+  const QualityMonitor::Wish& wish = order.wish;
+  measured->shape = shape;
+  measured->topology = subject.mesh->topology;
+  measured->field = wish.field;
+  measured->before = order.named;
+  const Mesh& mesh = *subject.mesh;
+  const std::vector<Vec3> normals =
+      subject.surface ? subject.surface->normals->of_elements(mesh.coordinates, order.threads)
+                      : std::vector<Vec3>();
+  measured->report = measure_quality(mesh, {.histogram_bins = 40,
+                                            .worst = most_worst,
+                                            .threads = order.threads,
+                                            .normals = normals,
+                                            .before = wish.before});
+  const MeshKind kind = kind_of(*mesh.topology);
+  if (kind == MeshKind::surface && wish.given)
+    measure_surface(subject, order, normals, *measured);
+  else if (kind == MeshKind::surface && wish.field && wish.field->metric())
+    measured->values = element_values(mesh, *wish.field->metric(), normals);
+  else if (wish.field && kind == MeshKind::volume)
+    // Fields of plane meshes alone have no values here.
+    measured->values = wish.field->metric() && wish.field->cell_dimension() == 3
+                           ? element_values(mesh, *wish.field->metric())
+                           : std::vector<double>();
+  else if (wish.field && kind == MeshKind::plane)
+    measured->values = element_values(*subject.vcv, mesh.coordinates, *wish.field, 1,
+                                      {.layers = subject.layers.get(), .before = wish.before});
+  return measured;
+}
+
+}  // namespace
+
+bool QualityMonitor::wants(std::uint64_t shape, const Wish& wish, bool live) const {
+  if (worker_.busy()) return false;
+  const bool met = latest_ && wish.met_by(*latest_);
+  // What was left out while the solver was at work is made up for.
+  const bool whole = live || !wish.given || (latest_ && latest_->deviation);
+  if (met && whole && latest_->shape == shape) return false;
+  return !live || !met || std::chrono::steady_clock::now() - last_start_ >= live_interval;
+}
+
+void QualityMonitor::request(std::uint64_t shape, const Subject& subject, const Wish& wish,
+                             bool live) {
+  if (!wants(shape, wish, live)) return;
+  last_start_ = std::chrono::steady_clock::now();
+  // A copy: the history may drop that state before the measurement has begun. Volume meshes, the
+  // largest ones, have no first heights to compare.
+  const bool compared = wish.before && subject.mesh->topology->cell_dimension() == 2;
+  auto before = compared ? std::make_shared<const Coordinates>(*wish.before) : nullptr;
+  // Beside a solver one core is enough; else the colours wait for it.
+  Order order{wish, wish.before_numbers(), live, live ? 1 : 0};
+  order.wish.before = before.get();
+  worker_.start([shape, subject, order, before] { return measure(shape, subject, order); });
+}
+
+void QualityMonitor::measure_now(std::uint64_t shape, const Subject& subject, const Wish& wish) {
+  if (latest_ && latest_->shape == shape && wish.met_by(*latest_)) return;
+  latest_ = measure(shape, subject, {wish, wish.before_numbers()});
+}
+
+bool QualityMonitor::poll() {
+  auto result = worker_.poll();
+  if (!result) return false;
+  if (discard_) {
+    discard_ = false;
+    return true;
+  }
+  // One that was taken at once may be newer.
+  if (!latest_ || (*result)->shape >= latest_->shape) latest_ = std::move(*result);
+  return true;
+}
+
+void QualityMonitor::clear() {
+  latest_.reset();
+  discard_ = worker_.busy();
+}
 
 namespace {
 

@@ -3,11 +3,275 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "core/mesh/surface_faces.h"
 #include "core/motion/rigid_motion.h"
-#include "gui/document/selection/pivot.h"
 #include "gui/render/view.h"
 
 namespace winslow::gui {
+
+Vec3 BodySelection::pivot() const {
+  const auto motion = mesh_.live_motion();
+  return motion ? transform(*motion, pivot_.point) : pivot_.point;
+}
+
+bool BodySelection::goes(const std::vector<Index>& markers,
+                         const std::vector<std::string>& body) const {
+  return std::ranges::all_of(marker_names(*mesh_.topology(), markers), [&](const auto& name) {
+    return std::ranges::find(body, name) != body.end();
+  });
+}
+
+std::optional<Vec3> PlaneSelection::centre() const {
+  return anchors_ ? std::optional(place_in_plane(anchors_->centre)) : std::nullopt;
+}
+
+std::vector<std::array<Index, 2>> PlaneSelection::outline() const {
+  std::vector<std::array<Index, 2>> edges;
+  for (const Index m : markers_)
+    for (const Face& edge : mesh_.topology()->markers()[at(m)].faces) edges.push_back(edge.edge());
+  return edges;
+}
+
+double PlaneSelection::smallest_body() const {
+  double size = bounds(mesh_.document()->state().mesh).size().maxCoeff();
+  for (const auto& body : mesh_.boundary()->bodies())
+    size = std::min(size, bounds(mesh_.coordinates(), body.nodes).size().maxCoeff());
+  return size;
+}
+
+void PlaneSelection::begin() {
+  place_ = PivotPlace::centre;
+  follow_nodes();
+  place();
+}
+
+void PlaneSelection::moved(const std::vector<std::string>& body, const RigidMotion& motion,
+                           bool alone) {
+  if (alone || goes(markers_, body)) pivot_.point = transform(motion, pivot_.point);
+}
+
+void PlaneSelection::set_pivot(const action::SetPivot& a) {
+  place_ = a.pivot ? std::nullopt : std::optional(a.place);
+  if (!a.pivot) return place();
+  const auto motion = mesh_.live_motion();
+  pivot_.point = place_in_plane(motion ? transform_back(*motion, *a.pivot) : *a.pivot);
+}
+
+void PlaneSelection::place() {
+  if (!anchors_ || !place_) return;
+  Vec2 pivot = anchors_->at(*place_);
+  // The very point of commands without a pivot stays as it is; of others the panel would show what
+  // rounding leaves of a zero.
+  if (place_ != PivotPlace::centre) {
+    const double least = 1e-14 * (pivot.norm() + mesh_.boundary()->reach(markers_, pivot));
+    for (int d = 0; d < 2; ++d)
+      if (std::abs(pivot[d]) < least) pivot[d] = 0;
+  }
+  pivot_.point = place_in_plane(pivot);
+}
+
+void PlaneSelection::clear() {
+  anchors_.reset();
+  place_ = PivotPlace::centre;
+}
+
+void PlaneSelection::follow_nodes() {
+  anchors_.reset();
+  if (!mesh_.document() || markers_.empty()) return;
+  // A job shows a mesh that is none of the history: what it comes to has anchors of its own.
+  if (mesh_.topology() != mesh_.document()->topology()) return;
+  const Mesh& mesh = mesh_.document()->state().mesh;
+  std::vector<Index> nodes =
+      mesh.topology->markers().nodes_of(marker_names(*mesh.topology, markers_));
+  if (nodes.empty()) return;
+  std::sort(nodes.begin(), nodes.end());
+  // A body of several markers is a loop once all of them are selected.
+  std::vector<std::vector<Index>> loops;
+  std::vector<Index> on_loops;
+  for (const auto& body : mesh_.boundary()->bodies()) {
+    if (body.markers.empty() ||
+        !std::includes(markers_.begin(), markers_.end(), body.markers.begin(), body.markers.end()))
+      continue;
+    loops.push_back(body.nodes);
+    on_loops.insert(on_loops.end(), body.nodes.begin(), body.nodes.end());
+  }
+  std::sort(on_loops.begin(), on_loops.end());
+  std::vector<Index> others;
+  std::set_difference(nodes.begin(), nodes.end(), on_loops.begin(), on_loops.end(),
+                      std::back_inserter(others));
+  anchors_ = find_anchors(loops, others, mesh.coordinates);
+  // Edges of a loop that have no marker do not move with it.
+  anchors_->centre = body_centre(body_box(mesh.coordinates, nodes)).head<2>();
+}
+
+namespace {
+
+/// Pivots of what a motion takes along go with it, but for those that stay with their nodes.
+void move_pivot(SpacePivot& pivot, const RigidMotion& motion) {
+  if (pivot.picked()) return;
+  pivot.point = transform(motion, pivot.point);
+  const Vec3 axis = rotated(motion, pivot.axis);
+  // About itself it is turned by nothing but rounding.
+  if ((axis - pivot.axis).norm() > 1e-12 * axis.norm()) pivot.axis = axis;
+}
+
+}  // namespace
+
+Vec3 SpaceSelection::axis() const {
+  const auto motion = mesh_.live_motion();
+  return motion ? rotated(*motion, pivot_.axis) : pivot_.axis;
+}
+
+void SpaceSelection::moved(const std::vector<std::string>& body, const RigidMotion& motion,
+                           bool /*alone*/) {
+  if (goes(markers_, body)) move_pivot(pivot_, motion);
+  for (auto& [markers, pivot] : kept_)
+    if (goes(markers, body)) move_pivot(pivot, motion);
+}
+
+void SpaceSelection::leave() {
+  const bool own = pivot_.from != PivotFrom::centre || pivot_.axis != Vec3::UnitZ();
+  if (!markers_.empty() && own)
+    kept_[markers_] = pivot_;
+  else
+    kept_.erase(markers_);
+}
+
+void SpaceSelection::begin() {
+  outline_.reset();
+  if (markers_.empty()) pick_.reset();
+  const auto kept = kept_.find(markers_);
+  pivot_ = kept == kept_.end() ? SpacePivot() : kept->second;
+  place();
+}
+
+void SpaceSelection::set_space_pivot(const std::optional<Vec3>& pivot) {
+  pivot_.nodes.clear();
+  pivot_.from = pivot ? PivotFrom::typed : PivotFrom::centre;
+  if (!pivot) return place();
+  const auto motion = mesh_.live_motion();
+  pivot_.point = motion ? transform_back(*motion, *pivot) : *pivot;
+}
+
+void SpaceSelection::set_axis(const Vec3& axis) {
+  if (!axis.allFinite() || axis.norm() == 0) return;
+  // A picked axis would come back with the nodes that it was picked from.
+  if (pivot_.nodes.size() > 1) {
+    pivot_.nodes.clear();
+    pivot_.from = PivotFrom::typed;
+  }
+  const auto motion = mesh_.live_motion();
+  pivot_.axis = motion ? rotated(inverse(*motion), axis) : axis;
+}
+
+void SpaceSelection::set_source(const PivotSource& source) {
+  if (markers_.empty()) return;
+  const auto pivot = pivot_at(source, mesh_.document()->state().mesh.coordinates, pivot_.axis);
+  if (!pivot) {
+    messages_.tell(Notice::Kind::warning, "That has no direction: its nodes lie on one another.");
+    return;
+  }
+  pivot_ = *pivot;
+  pick_.reset();
+}
+
+void SpaceSelection::wait_for(const action::PickPivot& pick) {
+  pick_.reset();
+  if (pick.from && !markers_.empty()) pick_ = pick;
+}
+
+void SpaceSelection::follow_nodes() {
+  if (pivot_.picked()) place();
+}
+
+void SpaceSelection::place() {
+  if (pivot_.picked()) {
+    const Mesh& mesh = mesh_.document()->state().mesh;
+    const auto pivot = pivot_at({pivot_.from, pivot_.nodes}, mesh.coordinates, pivot_.axis);
+    if (pivot) pivot_ = *pivot;
+  } else if (pivot_.from == PivotFrom::centre) {
+    // The very point of commands without a pivot.
+    pivot_.point = centre().value_or(pivot_.point);
+  }
+}
+
+std::optional<Vec3> SpaceSelection::centre() const {
+  if (markers_.empty()) return std::nullopt;
+  const Mesh& mesh = mesh_.document()->state().mesh;
+  const auto nodes = mesh.topology->markers().nodes_of(marker_names(*mesh.topology, markers_));
+  return nodes.empty() ? Vec3(Vec3::Zero()) : body_centre(space_bounds(mesh.coordinates, nodes));
+}
+
+void SpaceSelection::clear() {
+  pivot_ = {};
+  kept_.clear();
+  pick_.reset();
+  outline_.reset();
+  held_.reset();
+}
+
+/// All edges would be a blot: of those that are not sharp a few, spread over the surface.
+std::vector<std::array<Index, 2>> SpaceSelection::outline() const {
+  constexpr std::size_t most_faces = 100;
+  constexpr double sharp_angle = 40;  // degrees
+  if (outline_) return *outline_;
+  outline_.emplace();
+  std::vector<SurfaceFace> faces;
+  for (const SurfaceFace& face : mesh_.document()->boundary()->faces)
+    if (std::ranges::binary_search(markers_, face.marker)) faces.push_back(face);
+  const SpacePoints x(mesh_.coordinates());
+  const SurfaceEdges edges = surface_edges(faces);
+  const std::vector<unsigned char> sharp = feature_edges(x, faces, edges, sharp_angle);
+  for (std::size_t k = 0; k < sharp.size(); ++k)
+    if (sharp[k] != 0) outline_->push_back(edges.nodes[k]);
+  const std::size_t step = faces.size() / most_faces + 1;
+  for (std::size_t f = 0; f < faces.size(); f += step)
+    for (std::size_t c = 0; c < faces[f].nodes.size(); ++c)
+      outline_->push_back({faces[f].nodes[c], faces[f].nodes[(c + 1) % faces[f].nodes.size()]});
+  return *outline_;
+}
+
+const SpaceSelection::HeldPatch* SpaceSelection::held(const ShapeEdit& edit) const {
+  const auto& patch = edit.patch;
+  if (!patch || patch->nodes.empty()) return nullptr;
+  const std::uint64_t revision = mesh_.document()->edits().revision();
+  if (held_ && held_->patch == *patch && held_->radius == edit.radius &&
+      held_->revision == revision)
+    return &held_->held;
+  const Mesh& mesh = mesh_.document()->state().mesh;
+  HeldPatch held;
+  held.grip = grip_of(*patch, edit.radius, mesh);
+  for (const Index node : patch->nodes) held.centre += mesh.coordinates.xyz(node);
+  held.centre /= static_cast<double>(patch->nodes.size());
+  const SpacePoints x(mesh.coordinates);
+  Vec3 whole(0, 0, 0), around(0, 0, 0);  // of faces that are held, and of those that touch them
+  for (const Index m : patch->markers)
+    for (const Face& face : mesh.topology->markers()[at(m)].faces) {
+      const auto n = std::ranges::count_if(face, [&](Index node) { return patch->contains(node); });
+      if (n == 0) continue;
+      const Vec3 area = area_vector(x, face);
+      around += area;
+      if (static_cast<std::size_t>(n) == face.size()) whole += area;
+    }
+  if (whole.norm() > 0)
+    held.normal = whole.normalized();
+  else if (around.norm() > 0)
+    held.normal = around.normalized();
+  held_ = MadePatch{*patch, edit.radius, revision, std::move(held)};
+  return &held_->held;
+}
+
+double SpaceSelection::smallest_body() const {
+  const Mesh& mesh = mesh_.document()->state().mesh;
+  double size = std::numeric_limits<double>::max();
+  const auto& markers = mesh.topology->markers();
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const auto nodes = markers.nodes(static_cast<Index>(m));
+    if (!nodes.empty())
+      size = std::min(size, space_bounds(mesh.coordinates, nodes).size().maxCoeff());
+  }
+  return size;
+}
 
 namespace {
 
@@ -16,8 +280,7 @@ std::vector<Index> same_names(const std::vector<Index>& markers, const Topology&
   std::vector<Index> found;
   for (const Index m : markers) {
     if (m < 0 || static_cast<std::size_t>(m) >= before.markers().size()) continue;
-    if (const auto same = now.markers().find(before.markers()[static_cast<std::size_t>(m)].name))
-      found.push_back(*same);
+    if (const auto same = now.markers().find(before.markers()[at(m)].name)) found.push_back(*same);
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -34,50 +297,18 @@ bool Selection::contains(Index marker) const {
   return std::binary_search(markers_.begin(), markers_.end(), marker);
 }
 
-std::vector<std::string> Selection::names() const {
-  std::vector<std::string> names;
-  for (Index m : markers_)
-    names.push_back(mesh_.topology()->markers()[static_cast<std::size_t>(m)].name);
-  return names;
-}
-
-Vec2 Selection::pivot() const {
-  const auto motion = mesh_.live_motion();
-  return motion ? transform(*motion, pivot_) : pivot_;
-}
-
-Vec3 Selection::space_pivot() const {
-  if (in_space(mesh_)) return space_.pivot();
-  return place_in_plane(pivot());
-}
-
-std::vector<std::array<Index, 2>> Selection::outline() const {
-  if (in_space(mesh_)) return space_.outline();
-  std::vector<std::array<Index, 2>> edges;
-  for (const Index m : markers_)
-    for (const Face& edge : mesh_.topology()->markers()[static_cast<std::size_t>(m)].faces)
-      edges.push_back(edge.edge());
-  return edges;
-}
-
 /// Motions that were carried out name their pivots.
 void Selection::moved(const MoveCommand& move) {
-  const std::vector<std::string> selected = names();
-  for (const MovingBody& body : move.bodies) {
-    const bool goes = std::ranges::all_of(selected, [&](const std::string& name) {
-      return std::ranges::find(body.markers, name) != body.markers.end();
-    });
-    if (in_space(mesh_))
-      space_.moved(body);
-    else if (goes || move.bodies.size() == 1)
-      pivot_ = transform(resolve_motion(body.motion, 2, Vec3(0, 0, 0)), pivot_);
-  }
+  const int dimension = mesh_.coordinates().dimension();
+  for (const MovingBody& body : move.bodies)
+    own().moved(body.markers, resolve_motion(body.motion, dimension, Vec3(0, 0, 0)),
+                move.bodies.size() == 1);
 }
 
 void Selection::refresh() {
   drop_preview();
-  update_anchors();
-  place_pivot();
+  own().follow_nodes();
+  own().place();
 }
 
 void Selection::clear() {
@@ -85,8 +316,7 @@ void Selection::clear() {
   hovered_.clear();
   nodes_ = {};
   lost_nodes_.clear();
-  anchors_.reset();
-  pivot_place_ = PivotPlace::centre;
+  plane_.clear();
   space_.clear();
   shape_edit_ = {};
   drop_preview();
@@ -111,65 +341,16 @@ void Selection::on(const action::SelectMarkers& a) {
     wanted = std::move(toggled);
   }
   if (wanted == markers_) return;
+  own().leave();
   markers_ = std::move(wanted);
   drop_preview();
-  pivot_place_ = PivotPlace::centre;
-  space_.choose(markers_);
-  update_anchors();
-  place_pivot();
-}
-
-void Selection::on(const action::SetPivot& a) {
-  pivot_place_ = a.pivot ? std::nullopt : std::optional(a.place);
-  if (!a.pivot) return place_pivot();
-  const auto motion = mesh_.live_motion();
-  pivot_ = motion ? transform_back(*motion, *a.pivot) : *a.pivot;
-}
-
-void Selection::place_pivot() {
-  if (in_space(mesh_)) return space_.place();
-  if (!anchors_ || !pivot_place_) return;
-  pivot_ = anchors_->at(*pivot_place_);
-  if (pivot_place_ == PivotPlace::centre) return;  // the very point of commands without a pivot
-  // The panel would show what rounding leaves of a zero.
-  const double least = 1e-14 * (pivot_.norm() + mesh_.boundary()->reach(markers_, pivot_));
-  for (int d = 0; d < 2; ++d)
-    if (std::abs(pivot_[d]) < least) pivot_[d] = 0;
-}
-
-void Selection::update_anchors() {
-  anchors_.reset();
-  if (!mesh_.document() || markers_.empty()) return;
-  if (in_space(mesh_)) return space_.follow_nodes();
-  // A job shows a mesh that is none of the history: what it comes to has anchors of its own.
-  if (mesh_.topology() != mesh_.document()->topology()) return;
-  const Mesh& mesh = mesh_.document()->state().mesh;
-  std::vector<Index> nodes = mesh.topology->markers().nodes_of(names());
-  if (nodes.empty()) return;
-  std::sort(nodes.begin(), nodes.end());
-  // A body of several markers is a loop once all of them are selected.
-  std::vector<std::vector<Index>> loops;
-  std::vector<Index> on_loops;
-  for (const auto& body : mesh_.boundary()->bodies()) {
-    if (body.markers.empty() ||
-        !std::includes(markers_.begin(), markers_.end(), body.markers.begin(), body.markers.end()))
-      continue;
-    loops.push_back(body.nodes);
-    on_loops.insert(on_loops.end(), body.nodes.begin(), body.nodes.end());
-  }
-  std::sort(on_loops.begin(), on_loops.end());
-  std::vector<Index> others;
-  std::set_difference(nodes.begin(), nodes.end(), on_loops.begin(), on_loops.end(),
-                      std::back_inserter(others));
-  anchors_ = find_anchors(loops, others, mesh.coordinates);
-  // Edges of a loop that have no marker do not move with it.
-  anchors_->centre = body_centre(body_box(mesh.coordinates, nodes)).head<2>();
+  own().begin();
 }
 
 void Selection::edit_shape(bool active, double radius) {
   if (active && !shape_edit_.active && radius <= 0 && shape_edit_.radius <= 0) {
     // A first guess that shows what the radius is for: a tenth of the smallest body.
-    shape_edit_.radius = 0.1 * smallest_body();
+    shape_edit_.radius = 0.1 * own().smallest_body();
   } else if (radius > 0 || shape_edit_.active) {
     shape_edit_.radius = std::max(radius, 0.0);
   }
@@ -177,15 +358,6 @@ void Selection::edit_shape(bool active, double radius) {
   if (active) return;
   shape_edit_.arc.reset();
   shape_edit_.patch.reset();
-}
-
-/// Its largest extent.
-double Selection::smallest_body() const {
-  if (in_space(mesh_)) return smallest_marker(mesh_.document()->state().mesh);
-  double size = bounds(mesh_.document()->state().mesh).size().maxCoeff();
-  for (const auto& body : mesh_.boundary()->bodies())
-    size = std::min(size, bounds(mesh_.coordinates(), body.nodes).size().maxCoeff());
-  return size;
 }
 
 void Selection::on(const action::PreviewDeformation& a) {
@@ -201,7 +373,7 @@ void Selection::on(const action::PreviewDeformation& a) {
     return;  // numbers half typed; carrying them out would say what is wrong
   }
   preview_ = DeformationPreview{*a.shape, {}};
-  for (const auto& [a, b] : outline())
+  for (const auto& [a, b] : own().outline())
     preview_->outline.emplace_back(place_of(moved, a), place_of(moved, b));
 }
 
@@ -210,9 +382,9 @@ void Selection::on(const action::PreviewMotion& a) {
   if (!a.motion || !mesh_.document() || markers_.empty()) return;
   motion_preview_ = MotionPreview{*a.motion, {}};
   // With the pivot, if it names none.
-  const RigidMotion motion = resolve_motion(*a.motion, in_space(mesh_) ? 3 : 2, space_pivot());
   const Coordinates& x = mesh_.coordinates();
-  for (const auto& [from, to] : outline())
+  const RigidMotion motion = resolve_motion(*a.motion, x.dimension(), space_pivot());
+  for (const auto& [from, to] : own().outline())
     motion_preview_->outline.emplace_back(transform(motion, place_of(x, from)),
                                           transform(motion, place_of(x, to)));
 }
@@ -273,12 +445,6 @@ void Selection::carry_over_nodes(const std::shared_ptr<const Topology>& before,
     return !topology || topology == now || topology == before;
   });
   if (!lost.pinned.empty() || lost.inspected) lost_nodes_.push_back(std::move(lost));
-}
-
-void show_position(LiveMesh& mesh, Selection& selection, MessageBoard& messages) {
-  mesh.changed();
-  selection.refresh();
-  messages.set_banner_of_position();
 }
 
 }  // namespace winslow::gui

@@ -15,7 +15,6 @@
 #include "gui/document/session/quality_watch.h"
 #include "gui/document/session/selection.h"
 #include "gui/document/session/solver_settings.h"
-#include "gui/document/session/vcv_editor.h"
 
 namespace winslow::gui {
 
@@ -68,15 +67,15 @@ class Session {
   const NodeSelection& nodes() const { return selection_.nodes(); }
 
  private:
-  void apply_group(const FileAction& action) { files_.apply(action); }
-  void apply_group(const SelectionAction& action) { selection_.apply(action); }
-  void apply_group(const MotionAction& action) { motions_.apply(action); }
-  void apply_group(const VcvAction& action) { vcvs_.apply(action); }
-  void apply_group(const JobAction& action) { jobs_.apply(action); }
-  void apply_group(const SettingsAction& action) { settings_.apply(action); }
-  void apply_group(const LayerAction& action) { layers_.apply(action); }
-  void apply_group(const HistoryAction& action) { history_.apply(action); }
-  void apply_group(const MessageAction& action) { messages_.apply(action); }
+  void apply_group(const FileAction& action) { Dispatch::to(files_, action); }
+  void apply_group(const SelectionAction& action) { Dispatch::to(selection_, action); }
+  void apply_group(const MotionAction& action) { Dispatch::to(motions_, action); }
+  void apply_group(const VcvAction& action) { Dispatch::to(vcvs_, action); }
+  void apply_group(const JobAction& action) { Dispatch::to(jobs_, action); }
+  void apply_group(const SettingsAction& action) { Dispatch::to(settings_, action); }
+  void apply_group(const LayerAction& action) { Dispatch::to(layers_, action); }
+  void apply_group(const HistoryAction& action) { Dispatch::to(history_, action); }
+  void apply_group(const MessageAction& action) { Dispatch::to(messages_, action); }
 
   // Each knows those above it that it names.
   std::shared_ptr<ReferenceFiles> references_ = std::make_shared<ReferenceFiles>();
@@ -91,7 +90,7 @@ class Session {
   Jobs jobs_{work_, mesh_, messages_, selection_, settings_};
   Motions motions_{work_, mesh_, messages_, selection_, settings_, jobs_};
   VcvEditor vcvs_{work_, mesh_, messages_, settings_, jobs_};
-  HistoryEditor history_{mesh_, messages_, selection_, settings_, jobs_, motions_};
+  HistoryEditor history_{mesh_, messages_, settings_, jobs_, motions_};
   Files files_{mesh_, messages_, selection_, settings_, jobs_};
 };
 

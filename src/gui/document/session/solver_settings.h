@@ -1,6 +1,5 @@
 #pragma once
 
-#include "gui/document/actions/dispatch.h"
 #include "gui/document/actions/document_actions.h"
 #include "gui/document/jobs/reference_files.h"
 #include "gui/document/selection/node_overrides.h"
@@ -30,7 +29,6 @@ class SolverSettings {
   SmoothOptions smooth_for_motion(const std::vector<std::string>& markers) const;
   MoveCommand move_command(const std::vector<std::string>& markers, RigidMotion motion) const;
 
-  void apply(const SettingsAction& action) { Dispatch::to(*this, action); }
   void on(const action::EditSmoothOptions& a) { a.edit.apply_to(smooth_); }
   void on(const action::EditMotionOptions& a) { a.edit.apply_to(motion_); }
   void on(const action::PairMarkers& a);

@@ -3,7 +3,7 @@
 #include "core/layers/layer_measures.h"
 #include "core/strategy/layering.h"
 #include "gui/base/text.h"
-#include "gui/document/jobs/wall_layers.h"
+#include "gui/document/session/mesh_layers.h"
 #include "gui/panels/layers/layer_forms.h"
 #include "gui/widgets/controls.h"
 #include "gui/widgets/plot_frame.h"

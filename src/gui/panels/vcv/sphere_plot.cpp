@@ -82,10 +82,9 @@ std::optional<std::size_t> SpherePlot::point_at(const SpaceCamera& camera, const
 void SpherePlot::turn(std::size_t which, const SpaceCamera& camera) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;
-  SpaceView view;
-  view.camera() = camera;
-  view.orbit(Vec3(0, 0, 0), ScreenVector(io.MouseDelta));
-  from_[which] = view.camera().direction();
+  SpaceCamera turned = camera;
+  turned.turn(Vec3(0, 0, 0), ScreenVector(io.MouseDelta), false);
+  from_[which] = turned.direction();
   if (linked_) from_[1 - which] = from_[which];
 }
 

@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "core/motion/transfer.h"
 #include "gui/files/assets.h"
-#include "gui/picture/figure/write_figure.h"
+#include "gui/picture/figure/vector_figure.h"
 
 namespace winslow::gui {
 
@@ -33,33 +33,17 @@ fs::path Capture::new_picture_name() {
   }
 }
 
-bool Capture::may_write(const fs::path& path) {
-  if (!bundled(path)) return true;
-  session_.messages().tell(Notice::Kind::warning, bundled_text);
-  return false;
-}
-
-bool Capture::may_replace(const fs::path& path, const Action& again) {
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) return true;
-  session_.messages().ask({Prompt::Kind::question,
-                           "Replace the file?",
-                           path.filename().string() + " exists already.",
-                           {{"Replace", {again}, false}, {"Cancel", {}, true}}});
-  return false;
-}
-
 void Capture::on(const action::TakeScreenshot& a) {
   const fs::path path = a.path.empty() ? new_picture_name() : a.path;
-  if (!may_write(path)) return;
-  if (!a.overwrite && !may_replace(path, action::TakeScreenshot{path, true})) return;
-  due_ = Due{path, false, frames_until_clear};
+  if (!session_.messages().may_write(path)) return;
+  if (session_.messages().may_replace(path, a.overwrite, {}, action::TakeScreenshot{path, true}))
+    due_ = Due{path, false, frames_until_clear};
 }
 
 void Capture::on(const action::SavePicture& a) {
-  if (a.path.empty() || !may_write(a.path)) return;
-  if (!a.overwrite && !may_replace(a.path, action::SavePicture{a.path, true})) return;
-  due_ = Due{a.path, true, frames_until_clear};
+  if (a.path.empty() || !session_.messages().may_write(a.path)) return;
+  if (session_.messages().may_replace(a.path, a.overwrite, {}, action::SavePicture{a.path, true}))
+    due_ = Due{a.path, true, frames_until_clear};
 }
 
 void Capture::on(const action::StartRecording& a) {
@@ -78,7 +62,7 @@ void Capture::on(const action::StartRecording& a) {
                              "take frames.");
     return;
   }
-  if (!may_write(a.path)) return;
+  if (!session_.messages().may_write(a.path)) return;
   if (!a.overwrite && Recorder::occupied(a.path)) {
     session_.messages().ask(
         {Prompt::Kind::question,
@@ -143,13 +127,8 @@ void Capture::take(PictureSource& source, const fs::path& path, bool as_set) {
     if (as_set && is_vector_format(path)) {
       if (figure_.busy()) throw Error("Another figure is being written. Wait until it is done.");
       figure_path_ = path;
-      figure_.start([path, figure = source.figure(picture_.legend)]() -> std::string {
-        try {
-          write_figure(path, figure);
-          return {};
-        } catch (const std::exception& error) {
-          return error.what();
-        }
+      figure_.start([path, figure = source.figure(picture_.legend)] {
+        return error_of([&] { write_figure(path, figure); });
       });
       return;
     }

@@ -3,7 +3,7 @@
 #include "gui/base/background.h"
 #include "gui/base/screen.h"
 #include "gui/document/actions/actions.h"
-#include "gui/document/actions/dispatch.h"
+#include "gui/document/actions/document_actions.h"
 #include "gui/document/session/session.h"
 #include "gui/picture/capture/recorder.h"
 #include "gui/picture/figure/vector_figure.h"
@@ -81,8 +81,6 @@ class Capture {
     bool as_set = false;  // by picture_, or the window as it is
     int delay = 0;        // frames until menus and dialogs are gone from the picture
   };
-  bool may_write(const std::filesystem::path& path);
-  bool may_replace(const std::filesystem::path& path, const Action& again);
   void take(PictureSource& source, const std::filesystem::path& path, bool as_set);
   void record_frame(PictureSource& source);
   void queue_frames();

@@ -6,8 +6,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
@@ -16,6 +14,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "gui/files/file_kinds.h"
 
 extern char** environ;
 
@@ -46,14 +45,6 @@ std::vector<std::string> ffmpeg_arguments(const Film::Job& job, const fs::path& 
   return words;
 }
 
-/// In small letters, with its dot.
-std::string ending_of(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
 /// The last lines of what ffmpeg said.
 std::string last_words(const std::string& text) {
   constexpr std::size_t most = 600;
@@ -67,12 +58,12 @@ std::string last_words(const std::string& text) {
 void check_film_name(const fs::path& path) {
   constexpr std::array others{".webm", ".mov",  ".avi", ".mkv", ".m4v",
                               ".mpg",  ".mpeg", ".wmv", ".ogv"};
-  if (std::ranges::find(others, ending_of(path)) == others.end()) return;
+  if (std::ranges::find(others, lower_case(path.extension().string())) == others.end()) return;
   throw UsageError("\"" + path.string() + "\": a film ends in .mp4 or .gif");
 }
 
 std::optional<FilmFormat> film_format(const fs::path& path) {
-  const std::string ending = ending_of(path);
+  const std::string ending = lower_case(path.extension().string());
   if (ending == ".mp4") return FilmFormat::mp4;
   if (ending == ".gif") return FilmFormat::gif;
   return std::nullopt;

@@ -1,11 +1,10 @@
 #include "gui/picture/capture/recorder.h"
 
 #include <algorithm>
-#include <exception>
-#include <system_error>
 #include <utility>
 
 #include "core/error.h"
+#include "gui/base/background.h"
 #include "gui/base/text.h"
 
 namespace winslow::gui {
@@ -205,14 +204,7 @@ void PictureWriter::work() {
     writing_ = true;
     lock.unlock();
     changed_.notify_all();
-    Outcome outcome{task.path, {}};
-    try {
-      write_png(task.path, task.image, task.effort);
-    } catch (const std::bad_alloc&) {
-      outcome.error = "There is not enough memory.";
-    } catch (const std::exception& error) {
-      outcome.error = error.what();
-    }
+    Outcome outcome{task.path, error_of([&] { write_png(task.path, task.image, task.effort); })};
     lock.lock();
     outcomes_.push_back(std::move(outcome));
     writing_ = false;

@@ -192,20 +192,10 @@ std::string Page::finish() {
 
 std::optional<std::array<ScreenPoint, 2>> clip_line(const ScreenPoint& a, const ScreenPoint& b,
                                                     const ScreenBox& box) {
-  // Liang and Barsky: the line is a + t (b - a); each side narrows the range of t.
+  const auto part = part_within(a, b, box);
+  if (!part) return std::nullopt;
   const ScreenVector d = b - a;
-  double first = 0;
-  double last = 1;
-  for (const int axis : {0, 1}) {
-    for (const auto& [direction, distance] : {std::pair{-d[axis], a[axis] - box.min[axis]},
-                                              std::pair{d[axis], box.max[axis] - a[axis]}}) {
-      if (direction == 0 && distance < 0) return std::nullopt;
-      if (direction < 0) first = std::max(first, distance / direction);
-      if (direction > 0) last = std::min(last, distance / direction);
-    }
-  }
-  if (first > last) return std::nullopt;
-  return std::array<ScreenPoint, 2>{ScreenPoint(a + first * d), ScreenPoint(a + last * d)};
+  return std::array<ScreenPoint, 2>{a + (*part)[0] * d, a + (*part)[1] * d};
 }
 
 std::vector<ScreenPoint> clip_polygon(std::vector<ScreenPoint> polygon, const ScreenBox& box) {

@@ -6,10 +6,8 @@
 #include "core/mesh/mesh.h"
 #include "gui/base/screen.h"
 #include "gui/picture/figure/page.h"
+#include "gui/picture/frame/picture_frame.h"
 #include "gui/render/image.h"
-#include "gui/render/mesh_renderer.h"
-#include "gui/render/view.h"
-#include "gui/widgets/legend.h"
 
 namespace winslow::gui {
 
@@ -82,5 +80,29 @@ struct FigureMargins {
   double left = 0, top = 0, right = 0, bottom = 0;
 };
 FigureMargins figure_margins(const VectorFigure& figure);
+/// A figure that says what a picture of so many pixels would, with its room for the mesh; a pixel
+/// is a point. What is drawn there is the caller's affair.
+VectorFigure begin_figure(const PictureText& text, bool dark, int width, int height);
+
+/// Draws the mesh of a figure as a camera sees it into that camera's viewport, which is put at
+/// `origin` on the page: elements in the colours of their values, inverted ones in red, edges, the
+/// boundary in its markers' colours. Each edge is drawn once; edges of one kind form one path.
+void draw_figure_mesh(Page& page, const VectorFigure& figure, const Camera& camera,
+                      const ScreenPoint& origin);
+
+/// Draws the VCVs of a figure over its mesh, shifted by `origin` on the page, as draw_vcvs() does
+/// on screen.
+void draw_figure_vcvs(Page& page, const VectorFigure& figure, const ScreenPoint& origin);
+
+/// True for .svg and .pdf.
+bool is_vector_format(const std::filesystem::path& path);
+/// Throws UsageError for a name that ends in none of .png, .svg and .pdf: what is written would not
+/// be what its name says.
+void check_picture_name(const std::filesystem::path& path);
+
+/// Writes a figure as one page of SVG or PDF, by the ending of the file's name, fonts embedded. The
+/// page is the camera's viewport with figure_margins() around it. Written to a temporary name and
+/// renamed. Throws OutputError, UsageError for another ending.
+void write_figure(const std::filesystem::path& path, const VectorFigure& figure);
 
 }  // namespace winslow::gui

@@ -1,9 +1,7 @@
-#include "gui/picture/figure/write_figure.h"
-
-#include <cctype>
+#include "gui/picture/figure/vector_figure.h"
 
 #include "core/error.h"
-#include "gui/picture/figure/figure_mesh.h"
+#include "gui/files/file_kinds.h"
 #include "gui/picture/figure/page.h"
 #include "gui/picture/frame/picture_frame.h"
 #include "io/file/atomic_file.h"
@@ -13,13 +11,6 @@ namespace winslow::gui {
 namespace {
 
 constexpr double title_scale = 1.25;
-
-std::string lower_ending(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 /// Title, legend and key around the mesh.
 class FigureDrawing {
@@ -215,12 +206,12 @@ std::mutex drawing;
 }  // namespace
 
 bool is_vector_format(const std::filesystem::path& path) {
-  const std::string ending = lower_ending(path);
+  const std::string ending = lower_case(path.extension().string());
   return ending == ".svg" || ending == ".pdf";
 }
 
 void check_picture_name(const std::filesystem::path& path) {
-  if (is_vector_format(path) || lower_ending(path) == ".png") return;
+  if (is_vector_format(path) || lower_case(path.extension().string()) == ".png") return;
   throw UsageError(path.string() + ": pictures are written as .png, .svg or .pdf");
 }
 
@@ -230,12 +221,27 @@ FigureMargins figure_margins(const VectorFigure& figure) {
   return FigureDrawing(page, figure).margins();
 }
 
+VectorFigure begin_figure(const PictureText& text, bool dark, int width, int height) {
+  VectorFigure figure;
+  figure.dark = dark;
+  figure.title = text.title;
+  figure.warning = text.warning;
+  figure.note = text.note;
+  figure.key = text.key;
+  figure.legend = text.legend;
+  figure.font_size = std::clamp(0.02 * std::min(width, height), 8.0, 40.0);
+  const FigureMargins m = figure_margins(figure);
+  figure.camera.set_viewport(0, 0, std::max(width - m.left - m.right, 1.0),
+                             std::max(height - m.top - m.bottom, 1.0));
+  return figure;
+}
+
 void write_figure(const std::filesystem::path& path, const VectorFigure& figure) {
   if (!is_vector_format(path))
     throw UsageError(path.string() + ": a figure is written as .svg or .pdf");
   const FigureMargins m = figure_margins(figure);
   const std::lock_guard lock(drawing);
-  Page page(lower_ending(path) == ".svg" ? PageFormat::svg : PageFormat::pdf,
+  Page page(lower_case(path.extension().string()) == ".svg" ? PageFormat::svg : PageFormat::pdf,
             figure.camera.viewport_width() + m.left + m.right,
             figure.camera.viewport_height() + m.top + m.bottom);
   FigureDrawing(page, figure).draw();

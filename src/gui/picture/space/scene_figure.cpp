@@ -3,18 +3,14 @@
 #include <queue>
 #include <unordered_set>
 
-#include "gui/render/line_density.h"
-#include "gui/render/ticks.h"
+#include "gui/base/text.h"
+#include "gui/render/draw_list.h"
 
 namespace winslow::gui {
 
 namespace {
 
 constexpr double faintest = 0.03;  // of lines: fainter ones are left out
-
-Vec3 place(const std::array<float, 3>& p, const Vec3& origin) {
-  return origin + Eigen::Vector3f(p.data()).cast<double>();
-}
 
 Rgb unpacked(std::uint32_t rgba) {
   const auto byte = [&](unsigned shift) {
@@ -96,7 +92,7 @@ class SceneFigure {
     for (std::size_t first = 0; first + 2 < fill.corners.size(); first += 3) {
       std::vector<Vec3> corners;
       for (std::size_t k = 0; k < 3; ++k)
-        corners.push_back(place(fill.corners[first + k].position, part.origin));
+        corners.push_back(part.place_of(fill.corners[first + k].position));
       cut_by_planes(corners, fill.clipped_by);
       if (corners.size() < 3) continue;
       for (Vec3& corner : corners) {
@@ -126,8 +122,8 @@ class SceneFigure {
     const double width = static_cast<double>(lines.width) * options_.line_scale;
     const double slack = 2e-4 * extent_;
     for (std::size_t k = 0; k + 1 < lines.ends.size(); k += 2) {
-      std::vector<Vec3> ends{place(lines.ends[k].position, part.origin),
-                             place(lines.ends[k + 1].position, part.origin)};
+      std::vector<Vec3> ends{part.place_of(lines.ends[k].position),
+                             part.place_of(lines.ends[k + 1].position)};
       const double pixel = camera_.pixel_size(0.5 * (ends[0] + ends[1]));
       const auto spacing = static_cast<double>(lines.ends[k].spacing);
       double alpha = static_cast<double>(lines.color[3]);

@@ -1,23 +1,20 @@
 #include "gui/picture/space/volume_picture.h"
 
-#include <cstdio>
-
 #include "core/error.h"
 #include "core/inspect/nodal_view.h"
 #include "core/inspect/space/plane_section.h"
 #include "core/inspect/space/surface_measures.h"
 #include "core/inspect/space/volume_nodal_view.h"
-#include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
 #include "core/quality/surface_distance.h"
-#include "core/quality/volume_element.h"
 #include "core/strategy/surface_shape.h"
-#include "gui/picture/figure/write_figure.h"
+#include "gui/base/text.h"
+#include "gui/picture/figure/vector_figure.h"
 #include "gui/picture/frame/picture_frame.h"
 #include "gui/picture/space/scene_figure.h"
-#include "gui/render/gl_context.h"
+#include "gui/render/gl.h"
 #include "gui/render/space/space_renderer.h"
-#include "gui/view/overlays/space_overlay.h"
+#include "gui/view/overlays/foot_overlay.h"
 #include "gui/view/overlays/vcv_overlay.h"
 
 namespace winslow::gui {
@@ -29,24 +26,6 @@ namespace {
 std::vector<Vec3> normals_of(const Mesh& mesh, const std::shared_ptr<const Mesh>& given) {
   const auto shape = own_shape(given ? *given : mesh);
   return shape ? shape->normals->of_elements(mesh.coordinates, 0) : std::vector<Vec3>();
-}
-
-/// Per element 1 or 0. normals: normals_of().
-std::vector<unsigned char> inverted_elements(const Mesh& mesh, std::span<const Vec3> normals) {
-  const Topology& topology = *mesh.topology;
-  std::vector<unsigned char> inverted(at(topology.element_count()));
-  if (is_surface(topology)) {
-    const auto sines = element_values(mesh, Metric::normalized_jacobian, normals);
-    for (std::size_t e = 0; e < sines.size(); ++e) inverted[e] = sines[e] > 0 ? 0 : 1;
-    return inverted;
-  }
-  parallel_for(0, topology.element_count(), [&](Index begin, Index end) {
-    for (Index e = begin; e < end; ++e) {
-      const VolumeElement element(mesh.coordinates, topology.element_type(e), topology.element(e));
-      inverted[at(e)] = element.inverted() ? 1 : 0;
-    }
-  });
-  return inverted;
 }
 
 /// Per element. given, normals: as above.
@@ -100,9 +79,7 @@ Rgb surface_color(Index marker, const PictureTheme& theme, bool dark) {
 }
 
 std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value == 0 ? 0.0 : value);  // no "-0"
-  return text.data();
+  return formatted("%.6g", value == 0 ? 0.0 : value);  // no "-0"
 }
 
 /// "Cut at y = 0.5", or by point and normal.
@@ -172,10 +149,8 @@ void check(const Mesh& mesh, const VolumePictureOptions& options) {
 std::vector<Vec3> points_of(const SpaceScene& scene) {
   std::vector<Vec3> points;
   const auto add = [&](const std::array<float, 3>& position, unsigned clipped_by) {
-    const Vec3 p = scene.origin + Eigen::Vector3f(position.data()).cast<double>();
-    for (std::size_t k = 0; k < scene.planes.size(); ++k)
-      if ((clipped_by >> k & 1U) != 0 && scene.planes[k].distance(p) > 0) return;
-    points.push_back(p);
+    const Vec3 p = scene.place_of(position);
+    if (!cut_away(p, clipped_by, scene.planes)) points.push_back(p);
   };
   for (const SpaceFill& fill : scene.fills)
     for (const SpaceCorner& corner : fill.corners) add(corner.position, fill.clipped_by);
@@ -187,17 +162,8 @@ std::vector<Vec3> points_of(const SpaceScene& scene) {
 std::vector<Plane> chosen_cuts(const Mesh& mesh, const VolumeBoundary& boundary,
                                const VolumePictureOptions& options) {
   if (options.cuts) return *options.cuts;
-  if (is_surface(*mesh.topology)) return {};
   if (options.peel) return {};  // what encloses them is left out already
   return automatic_cuts(mesh, boundary, options.view.value_or(automatic_view({}, options.up)));
-}
-
-std::vector<Vec3> corners_of(const Box<3>& box) {
-  std::vector<Vec3> corners;
-  for (const double x : {box.min.x(), box.max.x()})
-    for (const double y : {box.min.y(), box.max.y()})
-      for (const double z : {box.min.z(), box.max.z()}) corners.emplace_back(x, y, z);
-  return corners;
 }
 
 /// One picture in the making.
@@ -253,23 +219,12 @@ class VolumePicture {
   }
 
   VectorFigure figure() const {
-    VectorFigure figure;
-    PictureText said = text();
-    figure.dark = options_.dark;
-    figure.title = said.title;
-    figure.warning = said.warning;
-    figure.legend = said.legend;
+    VectorFigure figure = begin_figure(text(), options_.dark, options_.width, options_.height);
     figure.framed = options_.half_width.has_value();
-    figure.font_size = std::clamp(0.02 * std::min(options_.width, options_.height), 8.0, 40.0);
-    figure.note = said.note;
-    for (const auto& entry : said.key) figure.key.push_back(entry);
-    const FigureMargins m = figure_margins(figure);
-    const double width = std::max(options_.width - m.left - m.right, 1.0);
-    const double height = std::max(options_.height - m.top - m.bottom, 1.0);
-    figure.camera.set_viewport(0, 0, width, height);
     const auto font = static_cast<float>(figure.font_size);
     const auto scene = std::make_shared<const SpaceScene>(this->scene(font));
-    const SpaceCamera camera = place_camera(*scene, {0, 0, width, height});
+    const SpaceCamera camera = place_camera(
+        *scene, {0, 0, figure.camera.viewport_width(), figure.camera.viewport_height()});
     SceneFigureOptions how;
     how.ink = {theme_.ink[0], theme_.ink[1], theme_.ink[2]};
     how.font_size = figure.font_size;
@@ -322,17 +277,7 @@ class VolumePicture {
       throw UsageError("layers at a marker go from 1 or more to no less");
     const auto nodes = mesh_.topology->markers().nodes_of({&peel.marker, 1});
     const std::vector<Index> layers = element_layers(*mesh_.topology, nodes);
-    const std::vector<unsigned char> behind =
-        look_.cuts.empty() ? std::vector<unsigned char>{} : elements_behind(mesh_, look_.cuts);
-    std::vector<unsigned char> shown(layers.size(), 0);
-    for (std::size_t e = 0; e < shown.size(); ++e)
-      shown[e] = layers[e] >= peel.from && layers[e] <= peel.to &&
-                         (behind.empty() || behind[e] != 0) &&
-                         (isolated_.empty() || isolated_[e] != 0)
-                     ? 1
-                     : 0;
-    isolated_ = std::move(shown);
-    look_.isolated = isolated_;
+    look_.isolated = isolated_ = peeled_elements(mesh_, look_, layers, {peel.from, peel.to});
   }
 
   void choose_cuts() {

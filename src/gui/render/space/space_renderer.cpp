@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/error.h"
+#include "gui/render/draw_list.h"
 #include "gui/render/gl.h"
-#include "gui/render/line_density.h"
 
 namespace winslow::gui {
 
@@ -142,10 +142,7 @@ class SpaceRenderer::Impl {
     glViewport(x, y, width, height);
     glScissor(x, y, width, height);
     glEnable(GL_SCISSOR_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    draw_over();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glDepthMask(GL_TRUE);

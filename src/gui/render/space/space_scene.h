@@ -3,6 +3,7 @@
 #include "core/inspect/space/section_index.h"
 #include "core/search/box_tree.h"
 #include "gui/render/mesh_renderer.h"
+#include "gui/render/view.h"
 
 namespace winslow::gui {
 
@@ -37,7 +38,7 @@ struct SpaceLines {
   struct End {
     std::array<float, 3> position;
     /// Distance to the next parallel line, units of the mesh: lines that come closer together on
-    /// screen fade, see line_density.h. 0: never.
+    /// screen fade, see draw_list.h. 0: never.
     float spacing;
   };
   std::vector<End> ends;  ///< 2 each
@@ -55,6 +56,11 @@ struct SpaceScene {
   std::vector<Plane> planes;  ///< at most most_clip_planes
   std::vector<SpaceFill> fills;
   std::vector<SpaceLines> lines;
+
+  /// Where a corner or an end is in the mesh.
+  Vec3 place_of(const std::array<float, 3>& position) const {
+    return origin + Eigen::Vector3f(position.data()).cast<double>();
+  }
 };
 
 /// What is seen at a place.
@@ -69,5 +75,45 @@ struct SpaceHit {
 /// is what can be hit. See-through surfaces are passed through.
 std::optional<SpaceHit> pick_in_scene(std::span<const std::shared_ptr<const SpaceScene>> parts,
                                       std::span<const Plane> planes, const Ray<3>& ray);
+
+/// A point of a volume mesh on screen.
+struct DeepPlace {
+  ScreenPoint at;
+  double depth = 0;
+  bool hidden = false;
+};
+/// Marks places that a triangle of the picture hides: one over the place that lies nearer to the
+/// viewer and is neither see-through nor cut away.
+void hide_behind(const View& view, std::span<const std::shared_ptr<const SpaceScene>> parts,
+                 std::span<const Plane> planes, std::span<DeepPlace> places);
+
+/// Some of these planes (those whose bits are set in `by`) take the point away.
+bool cut_away(const Vec3& point, unsigned by, std::span<const Plane> planes);
+
+/// A triangle of a fill on screen.
+struct SeenTriangle {
+  std::array<Vec3, 3> at;
+  std::array<View::Projection, 3> seen;
+
+  SeenTriangle(const SpaceFill& fill, std::size_t first, const SpaceScene& scene,
+               const View& view) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] = scene.place_of(fill.corners[first + k].position);
+      seen[k] = view.project(at[k]);
+    }
+  }
+  ScreenVector side(std::size_t k) const { return seen[(k + 1) % 3].at - seen[k].at; }
+  double area() const;
+  double girth() const { return side(0).norm() + side(1).norm() + side(2).norm(); }
+  bool near(const ScreenBox& box) const {
+    const auto out = [&](auto&& beyond) { return std::ranges::all_of(seen, beyond); };
+    return !(out([&](const auto& p) { return p.at.x() < box.min.x(); }) ||
+             out([&](const auto& p) { return p.at.x() > box.max.x(); }) ||
+             out([&](const auto& p) { return p.at.y() < box.min.y(); }) ||
+             out([&](const auto& p) { return p.at.y() > box.max.y(); }));
+  }
+  /// Weights of the corners at a place; negative ones outside.
+  std::array<double, 3> weights(const ScreenPoint& p) const;
+};
 
 }  // namespace winslow::gui

@@ -4,58 +4,50 @@
 
 namespace winslow::gui {
 
-Vec3 SpaceView::at_depth_of(const Vec3& point, const ScreenPoint& at) const {
-  const auto [origin, direction] = camera_.unproject(at);
-  const double along = camera_.back().dot(direction);
-  return origin + camera_.back().dot(point - origin) / along * direction;
+Vec3 SpaceCamera::at_depth_of(const Vec3& point, const ScreenPoint& at) const {
+  const auto [origin, direction] = unproject(at);
+  return origin + back_.dot(point - origin) / back_.dot(direction) * direction;
 }
 
-LookedAt SpaceView::looked_at() const {
-  return {camera_.centre(), camera_.units_per_pixel(), camera_.direction()};
+LookedAt SpaceCamera::looked_at() const { return {centre_, units_per_pixel_, direction_}; }
+
+void SpaceCamera::look_at(const LookedAt& place) {
+  if (place.direction) look_from(*place.direction);
+  look_at(place.centre, place.units_per_pixel);
 }
 
-void SpaceView::look_at(const LookedAt& place) {
-  if (place.direction) camera_.look_from(*place.direction);
-  camera_.look_at(place.centre, place.units_per_pixel);
-}
-
-void SpaceView::pan_at(const Vec3& point, const ScreenVector& by) {
-  const double unit = camera_.pixel_size(point);
-  camera_.look_at(camera_.centre() - unit * (by.x() * camera_.right() - by.y() * camera_.up()),
-                  camera_.units_per_pixel());
+void SpaceCamera::pan_at(const Vec3& point, const ScreenVector& by) {
+  look_at(centre_ - pixel_size(point) * (by.x() * right_ - by.y() * up_), units_per_pixel_);
 }
 
 /// All is seen as before from a viewer that is nearer to the point by the factor.
-void SpaceView::zoom_about(const Vec3& point, double factor) {
-  camera_.look_at(point + (camera_.centre() - point) / factor, camera_.units_per_pixel() / factor);
+void SpaceCamera::zoom_about(const Vec3& point, double factor) {
+  look_at(point + (centre_ - point) / factor, units_per_pixel_ / factor);
 }
 
-void SpaceView::look_from(const ViewDirection& direction, const Vec3& pivot) {
-  const Vec3 from = camera_.centre() - pivot;
-  const double right = camera_.right().dot(from), up = camera_.up().dot(from),
-               back = camera_.back().dot(from);
-  camera_.look_from(direction);
-  camera_.look_at(pivot + right * camera_.right() + up * camera_.up() + back * camera_.back(),
-                  camera_.units_per_pixel());
+void SpaceCamera::look_from(const ViewDirection& direction, const Vec3& pivot) {
+  const Vec3 from = centre_ - pivot;
+  const double right = right_.dot(from), up = up_.dot(from), back = back_.dot(from);
+  look_from(direction);
+  look_at(pivot + right * right_ + up * up_ + back * back_, units_per_pixel_);
 }
 
-void SpaceView::orbit(const Vec3& pivot, const ScreenVector& by) {
-  const double degrees_per_pixel = 180 / std::max(camera_.viewport().size().y(), 1.0);
-  ViewDirection direction = camera_.direction();
-  direction.roll = 0;
-  direction.azimuth = std::remainder(direction.azimuth - degrees_per_pixel * by.x(), 360);
-  direction.elevation = std::clamp(direction.elevation + degrees_per_pixel * by.y(), -90.0, 90.0);
-  look_from(direction, pivot);
-}
-
-void SpaceView::tumble(const Vec3& pivot, const ScreenVector& by) {
-  const double per_pixel = pi / std::max(camera_.viewport().size().y(), 1.0);
+void SpaceCamera::turn(const Vec3& pivot, const ScreenVector& by, bool freely) {
+  const double height = std::max(height_, 1.0);
+  if (!freely) {
+    const double degrees_per_pixel = 180 / height;
+    ViewDirection direction = direction_;
+    direction.roll = 0;
+    direction.azimuth = std::remainder(direction.azimuth - degrees_per_pixel * by.x(), 360);
+    direction.elevation = std::clamp(direction.elevation + degrees_per_pixel * by.y(), -90.0, 90.0);
+    return look_from(direction, pivot);
+  }
+  const double per_pixel = pi / height;
   // What is turned is the viewer, against the way that the mesh goes.
-  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(-per_pixel * by.x(), camera_.up()) *
-                                Eigen::AngleAxisd(-per_pixel * by.y(), camera_.right()))
-                                   .toRotationMatrix();
-  look_from(direction_of(turn * camera_.right(), turn * camera_.back(), camera_.direction().up),
-            pivot);
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(-per_pixel * by.x(), up_) * Eigen::AngleAxisd(-per_pixel * by.y(), right_))
+          .toRotationMatrix();
+  look_from(direction_of(turn * right_, turn * back_, direction_.up), pivot);
 }
 
 namespace {
@@ -253,6 +245,14 @@ ViewDirection automatic_view(const std::vector<Plane>& cuts, int up) {
   else
     view.elevation += three_quarters(up).elevation;
   return view;
+}
+
+std::vector<Vec3> corners_of(const Box<3>& box) {
+  std::vector<Vec3> corners;
+  for (const double x : {box.min.x(), box.max.x()})
+    for (const double y : {box.min.y(), box.max.y()})
+      for (const double z : {box.min.z(), box.max.z()}) corners.emplace_back(x, y, z);
+  return corners;
 }
 
 std::vector<Plane> automatic_cuts(const Mesh& mesh, const VolumeBoundary& boundary,

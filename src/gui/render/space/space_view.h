@@ -16,15 +16,18 @@ ViewDirection direction_towards(const Vec3& viewer, int up);
 /// That of a camera whose screen has these axes, to the right and towards the viewer, of length 1.
 ViewDirection direction_of(const Vec3& right, const Vec3& back, int up);
 
-/// How space is seen: parallel or in perspective, and where on screen.
-class SpaceCamera {
+/// How space is seen: parallel or in perspective, and where on screen. The mouse turns it as a
+/// turntable, on which the axis that is up stays upright, or freely.
+class SpaceCamera final : public View {
  public:
   void set_viewport(double x, double y, double width, double height);
-  ScreenBox viewport() const { return {{x_, y_}, {x_ + width_, y_ + height_}}; }
+  ScreenBox viewport() const override { return {{x_, y_}, {x_ + width_, y_ + height_}}; }
 
   /// What is in the middle of the viewport stays there.
   void look_from(const ViewDirection& direction);
   const ViewDirection& direction() const { return direction_; }
+  /// A point stays where it is on screen.
+  void look_from(const ViewDirection& direction, const Vec3& pivot);
   /// Full angle of the height of what is seen, degrees below 180; 0: parallel. The size of what
   /// lies at the centre stays.
   void set_perspective(double angle) { angle_ = angle; }
@@ -45,11 +48,20 @@ class SpaceCamera {
   const Vec3& up() const { return up_; }
   const Vec3& back() const { return back_; }
 
-  View::Projection project(const Vec3& point) const;
-  /// All points that are seen at a place, the nearest to the viewer first.
-  Ray<3> unproject(const ScreenPoint& at) const;
-  /// What a pixel is wide at a point, in units of the mesh.
-  double pixel_size(const Vec3& point) const;
+  Projection project(const Vec3& point) const override;
+  Ray<3> unproject(const ScreenPoint& at) const override;
+  double pixel_size(const Vec3& point) const override;
+  /// Nothing of the plane z = 0 is meant here: empty.
+  Bounds visible() const override { return Bounds::empty(); }
+
+  Vec3 at_depth_of(const Vec3& point, const ScreenPoint& at) const override;
+  LookedAt looked_at() const override;
+  void look_at(const LookedAt& place) override;
+  void pan_at(const Vec3& point, const ScreenVector& by) override;
+  void zoom_about(const Vec3& point, double factor) override;
+  bool turns() const override { return true; }
+  /// Half a turn for as many pixels as the view is high.
+  void turn(const Vec3& pivot, const ScreenVector& by, bool freely) override;
 
   /// Column-major 4x4 matrix to clip space of the viewport, from positions relative to `origin`,
   /// which is subtracted in double precision. w is 1 at the centre: the ratio of a point's distance
@@ -58,7 +70,10 @@ class SpaceCamera {
   /// By what depth, -1 to 1 from the nearest to the furthest, changes over the size of a pixel
   /// towards the viewer: the first number, and the second times the depth itself.
   std::array<double, 2> pixel_depth() const;
-  bool operator==(const SpaceCamera&) const = default;
+  bool operator==(const SpaceCamera& other) const {
+    return viewport() == other.viewport() && looked_at() == other.looked_at() &&
+           angle_ == other.angle_ && content_ == other.content_;
+  }
   /// Where the viewer is, in perspective.
   Vec3 viewer() const { return centre_ + distance() * back_; }
 
@@ -79,42 +94,6 @@ class SpaceCamera {
   Box<3> content_{Vec3::Constant(-1), Vec3::Constant(1)};
 };
 
-/// Space, turned by the mouse as a turntable, on which the axis that is up stays upright, or
-/// freely.
-class SpaceView : public View {
- public:
-  using View::pixel_size;
-  Projection project(const Vec3& point) const override { return camera_.project(point); }
-  Ray<3> unproject(const ScreenPoint& at) const override { return camera_.unproject(at); }
-  double pixel_size(const Vec3& point) const override { return camera_.pixel_size(point); }
-  ScreenBox viewport() const override { return camera_.viewport(); }
-  /// Nothing of the plane z = 0 is meant here: empty.
-  Bounds visible() const override { return Bounds::empty(); }
-
-  Vec3 at_depth_of(const Vec3& point, const ScreenPoint& at) const override;
-  LookedAt looked_at() const override;
-  void look_at(const LookedAt& place) override;
-  void pan_at(const Vec3& point, const ScreenVector& by) override;
-  void zoom_about(const Vec3& point, double factor) override;
-  bool turns() const override { return true; }
-  void turn(const Vec3& point, const ScreenVector& by, bool freely) override {
-    freely ? tumble(point, by) : orbit(point, by);
-  }
-
-  /// Half a turn for as many pixels as the view is high.
-  void orbit(const Vec3& pivot, const ScreenVector& by);
-  /// The same about the axes of the screen.
-  void tumble(const Vec3& pivot, const ScreenVector& by);
-  /// Looks from elsewhere; a point stays where it is on screen.
-  void look_from(const ViewDirection& direction, const Vec3& pivot);
-
-  const SpaceCamera& camera() const { return camera_; }
-  SpaceCamera& camera() { return camera_; }
-
- private:
-  SpaceCamera camera_;
-};
-
 /// Directions to look from, and cuts to begin with.
 
 /// "iso", "+x", "-x", ...: names of directions to look from.
@@ -128,6 +107,9 @@ ViewDirection automatic_view(const std::vector<Plane>& cuts, int up = 2);
 /// the axis that points to the viewer most. None where nothing encloses bodies.
 std::vector<Plane> automatic_cuts(const Mesh& mesh, const VolumeBoundary& boundary,
                                   const ViewDirection& view);
+
+/// The eight corners of a box, for SpaceCamera::fit().
+std::vector<Vec3> corners_of(const Box<3>& box);
 
 /// Two meshes side by side in a view: where each is seen.
 struct SideBySide {

@@ -8,15 +8,13 @@ namespace {
 
 constexpr double least_area = 1e-9;  // square pixels
 
-double cross(const ScreenVector& a, const ScreenVector& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// What of a convex polygon lies left of the line from a to b, on paper with y down.
 std::vector<ScreenPoint> left_of(const std::vector<ScreenPoint>& polygon, const ScreenPoint& a,
                                  const ScreenPoint& b) {
   std::vector<ScreenPoint> kept;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const ScreenPoint &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
-    const double at_p = cross(b - a, p - a), at_q = cross(b - a, q - a);
+    const double at_p = (b - a).cross(p - a), at_q = (b - a).cross(q - a);
     if (at_p >= 0) kept.push_back(p);
     if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0))
       kept.push_back(p + at_p / (at_p - at_q) * (q - p));
@@ -27,7 +25,7 @@ std::vector<ScreenPoint> left_of(const std::vector<ScreenPoint>& polygon, const 
 double area_of(const std::vector<ScreenPoint>& polygon) {
   double sum = 0;
   for (std::size_t k = 2; k < polygon.size(); ++k)
-    sum += cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
+    sum += (polygon[k - 1] - polygon[0]).cross(polygon[k] - polygon[0]);
   return 0.5 * sum;
 }
 
@@ -41,8 +39,8 @@ ScreenPoint middle_of(const std::vector<ScreenPoint>& polygon) {
 
 double StarSketch::Flat::depth_at(const ScreenPoint& p) const {
   const auto& [a, b, c] = corners;
-  const double wa = cross(c.at - b.at, p - b.at), wb = cross(a.at - c.at, p - c.at),
-               wc = cross(b.at - a.at, p - a.at);
+  const double wa = (c.at - b.at).cross(p - b.at), wb = (a.at - c.at).cross(p - c.at),
+               wc = (b.at - a.at).cross(p - a.at);
   return (wa * a.depth + wb * b.depth + wc * c.depth) / area;
 }
 
@@ -62,7 +60,7 @@ StarSketch::StarSketch(const SpaceCamera& camera, std::span<const Vec3> points,
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto& [a, b, c] = triangles[t];
     const Corner &p = seen[at(a)], &q = seen[at(b)], &r = seen[at(c)];
-    const double turn = cross(q.at - p.at, r.at - p.at);  // y down: negative from outside
+    const double turn = (q.at - p.at).cross(r.at - p.at);  // y down: negative from outside
     Face face{t, {p.at, q.at, r.at}, turn < 0, 1};
     const Vec3 normal = (points[at(b)] - points[at(a)]).cross(points[at(c)] - points[at(a)]);
     const double size = normal.norm();
@@ -141,7 +139,7 @@ std::vector<StarSketch::Piece> StarSketch::cut(const Vec3& a, const Vec3& b) con
     double low = 0, high = 1;
     for (std::size_t k = 0; k < 3; ++k) {
       const ScreenPoint &p = flat.corners[k].at, &q = flat.corners[(k + 1) % 3].at;
-      const double start = cross(q - p, from.at - p), slope = cross(q - p, along);
+      const double start = (q - p).cross(from.at - p), slope = (q - p).cross(along);
       if (slope == 0) {
         if (start <= 0) high = -1;
       } else if (slope > 0) {
@@ -189,7 +187,7 @@ bool StarSketch::hides(const Vec3& point) const {
     if (flat.area < least_area) return false;
     for (std::size_t k = 0; k < 3; ++k) {
       const ScreenPoint &p = flat.corners[k].at, &q = flat.corners[(k + 1) % 3].at;
-      if (cross(q - p, seen.at - p) <= 1e-9 * flat.area) return false;
+      if ((q - p).cross(seen.at - p) <= 1e-9 * flat.area) return false;
     }
     return seen.depth - flat.depth_at(seen.at) > slack_;
   });

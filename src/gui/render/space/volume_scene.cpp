@@ -6,6 +6,8 @@
 #include "core/error.h"
 #include "core/inspect/space/plane_section.h"
 #include "core/parallel/parallel_for.h"
+#include "core/quality/quality.h"
+#include "core/quality/volume_element.h"
 #include "gui/render/space/scene_lists.h"
 
 namespace winslow::gui {
@@ -244,6 +246,38 @@ VolumeBoundary find_boundary(const Mesh& mesh) {
   boundary.encloses =
       std::ranges::any_of(boundary.enclosing, [](unsigned char e) { return e != 0; });
   return boundary;
+}
+
+std::vector<unsigned char> inverted_elements(const Mesh& mesh, std::span<const Vec3> normals) {
+  const Topology& topology = *mesh.topology;
+  std::vector<unsigned char> inverted(at(topology.element_count()));
+  if (is_surface(topology)) {
+    const auto sines = element_values(mesh, Metric::normalized_jacobian, normals);
+    for (std::size_t e = 0; e < sines.size(); ++e) inverted[e] = sines[e] > 0 ? 0 : 1;
+    return inverted;
+  }
+  parallel_for(0, topology.element_count(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e) {
+      const VolumeElement element(mesh.coordinates, topology.element_type(e), topology.element(e));
+      inverted[at(e)] = element.inverted() ? 1 : 0;
+    }
+  });
+  return inverted;
+}
+
+std::vector<unsigned char> peeled_elements(const Mesh& mesh, const VolumeLook& look,
+                                           std::span<const Index> layers,
+                                           const std::array<Index, 2>& range) {
+  const std::vector<unsigned char> behind =
+      look.cuts.empty() ? std::vector<unsigned char>{} : elements_behind(mesh, look.cuts);
+  std::vector<unsigned char> shown(layers.size(), 0);
+  for (std::size_t e = 0; e < shown.size(); ++e)
+    shown[e] = layers[e] >= range[0] && layers[e] <= range[1] &&
+                       (behind.empty() || behind[e] != 0) &&
+                       (look.isolated.empty() || look.isolated[e] != 0)
+                   ? 1
+                   : 0;
+  return shown;
 }
 
 bool drawn_as_surface(const VolumeBoundary& boundary, const VolumeLook& look, std::size_t face) {

@@ -76,6 +76,14 @@ struct VolumePart {
 
   auto operator<=>(const VolumePart&) const = default;
 };
+/// Per element 1 if it is turned over, else 0. normals: of a surface mesh, which side is right.
+std::vector<unsigned char> inverted_elements(const Mesh& mesh, std::span<const Vec3> normals);
+/// Per element 1 if it is of these layers (of each element: `layers`), and of those that a look
+/// isolates and its cuts leave; else 0.
+std::vector<unsigned char> peeled_elements(const Mesh& mesh, const VolumeLook& look,
+                                           std::span<const Index> layers,
+                                           const std::array<Index, 2>& range);
+
 /// In the order in which they are drawn.
 std::vector<VolumePart> parts_of(const VolumeLook& look);
 /// Without planes: those of look.cuts clip a scene of flat cuts.

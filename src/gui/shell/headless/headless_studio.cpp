@@ -4,7 +4,7 @@
 #include "core/quality/quality.h"
 #include "gui/picture/capture/capture.h"
 #include "gui/picture/capture/recorder.h"
-#include "gui/picture/figure/write_figure.h"
+#include "gui/picture/figure/vector_figure.h"
 #include "gui/shell/headless/script.h"
 #include "io/recipe/recipe.h"
 

@@ -2,7 +2,7 @@
 
 #include "core/command/command.h"
 #include "gui/base/input.h"
-#include "gui/render/gl_context.h"
+#include "gui/render/gl.h"
 #include "gui/settings/picture_spec.h"
 #include "gui/shell/workbench/workbench.h"
 

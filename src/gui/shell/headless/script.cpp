@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "core/error.h"
-#include "gui/picture/figure/write_figure.h"
+#include "gui/picture/figure/vector_figure.h"
 #include "io/recipe/recipe.h"
 
 namespace winslow::gui {

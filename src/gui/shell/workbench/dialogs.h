@@ -2,7 +2,7 @@
 
 #include "gui/base/screen.h"
 #include "gui/document/actions/actions.h"
-#include "gui/document/actions/dispatch.h"
+#include "gui/document/actions/document_actions.h"
 #include "gui/menu/panel_context.h"
 
 namespace winslow::gui {

@@ -68,8 +68,8 @@ struct PicturePainter::Picture {
   bool mesh_alone = false;
   double turned = 0;  ///< the view of space
   ViewOptions options;
-  PlaneView view;
-  SpaceView space;
+  Camera view;
+  SpaceCamera space;
   ActionQueue actions;  ///< nobody carries them out
   PanelContext context;
   Lens lens;
@@ -105,20 +105,19 @@ void PicturePainter::paint_window() {
   shown_.pane.lens().set_tile({ScreenPoint(), ScreenPoint(window.width, window.height)});
   MeshView& mesh = shown_.pane.mesh_view();
   if (shown_.session.in_space())
-    mesh.volume().draw_kept(shown_.space.camera(), window.width, window.height);
+    mesh.volume().draw_kept(shown_.space, window.width, window.height);
   else
-    mesh.draw_kept(shown_.view.camera(), window.width, window.height);
+    mesh.draw_kept(shown_.view, window.width, window.height);
   window.ui.paint();
 }
 
 Image PicturePainter::picture() {
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const unsigned bound = FrameBuffer::bound();
   FrameBuffer buffer(shown_.window.width, shown_.window.height, samples);
   buffer.bind();
   paint_window();
   Image image = buffer.read();
-  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+  glBindFramebuffer(GL_FRAMEBUFFER, bound);
   return image;
 }
 
@@ -157,13 +156,12 @@ Image PicturePainter::picture(const PictureSpec& spec) {
   const auto [width, height] = picture_size(spec, extent.x(), extent.y());
   const double ratio = std::min({width / extent.x(), height / extent.y(), largest_picture_scale});
   const float unit = shown_.window.ui.theme().scale * static_cast<float>(ratio);
-  const Bounds visible = shown_.view.camera().visible();
+  const Bounds visible = shown_.view.visible();
   // Colours must be those of this mesh, not of one a moment ago.
   const ViewOptions& view = shown_.context.view;
   shown_.session.quality().measure_now(view.color, view.before);
 
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const unsigned bound = FrameBuffer::bound();
   std::unique_ptr<Picture> picture;
   try {
     picture = begin(spec, unit);
@@ -200,7 +198,7 @@ std::unique_ptr<PicturePainter::Picture> PicturePainter::begin(const PictureSpec
 
 /// The frame of a picture may serve the next, and what is drawn is the window's again. picture:
 /// null if it could not be begun.
-void PicturePainter::end(std::unique_ptr<Picture> picture, int framebuffer) {
+void PicturePainter::end(std::unique_ptr<Picture> picture, unsigned framebuffer) {
   if (picture) last_ = std::move(picture->frame);
   age_ = 0;
   UiLayer& ui = shown_.window.ui;
@@ -208,7 +206,7 @@ void PicturePainter::end(std::unique_ptr<Picture> picture, int framebuffer) {
   const bool in_space = shown_.session.in_space();
   const View& view = in_space ? static_cast<const View&>(shown_.space) : shown_.view;
   shown_.pane.update(shown_.context.view, view, ui.theme().scale);
-  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 
 void PicturePainter::lay_out(Picture& picture, const Bounds& visible) {
@@ -222,22 +220,22 @@ void PicturePainter::lay_out(Picture& picture, const Bounds& visible) {
     shown_.regions.draw_menu(picture.context, frame);
   }
   const Area& v = frame.layout.viewport;
-  picture.view.camera().set_viewport(v.x, v.y, v.width, v.height);
+  picture.view.set_viewport(v.x, v.y, v.width, v.height);
   const bool in_space = shown_.session.in_space();
   ScreenBox now{{v.x, v.y}, {v.x + v.width, v.y + v.height}};
   if (picture.options.comparison == Comparison::split)
     now = side_by_side(now, picture.options.divider).now;
-  if (in_space) fill_viewport(picture.space.camera(), shown_.space.camera(), now);
+  if (in_space) fill_viewport(picture.space, shown_.space, now);
   if (in_space && picture.turned != 0) {
-    ViewDirection direction = picture.space.camera().direction();
+    ViewDirection direction = picture.space.direction();
     direction.azimuth += picture.turned;
-    picture.space.camera().look_from(direction);
+    picture.space.look_from(direction);
   }
-  if (!in_space && shown_.session.document()) picture.view.camera().fit(visible, 0);
+  if (!in_space && shown_.session.document()) picture.view.fit(visible, 0);
   const View& view = in_space ? static_cast<const View&>(picture.space) : picture.view;
   const float scale = frame.ui.theme().scale;
   picture.lens.place(in_space ? std::nullopt
-                              : pinned_inset(shown_.session, picture.options, picture.view.camera(),
+                              : pinned_inset(shown_.session, picture.options, picture.view,
                                              static_cast<double>(scale)));
   if (!picture.mesh_alone) shown_.regions.draw(picture.context, frame.layout);
   shown_.regions.draw_over_mesh(
@@ -274,9 +272,8 @@ Image PicturePainter::paint_tiles(Picture& picture, bool transparent) {
       picture.lens.set_tile(tile);
       if (shown_.session.in_space())
         draw_space_tile(picture, tile, transparent, side_y);
-      else if (const auto part = part_of(picture.view.camera(), tile))
-        shown_.pane.mesh_view().draw(*part, transparent ? nullptr : &picture.view.camera(), side_x,
-                                     side_y);
+      else if (const auto part = part_of(picture.view, tile))
+        shown_.pane.mesh_view().draw(*part, transparent ? nullptr : &picture.view, side_y);
       picture.frame->ui.paint_part(static_cast<float>(x), static_cast<float>(y),
                                    static_cast<float>(side_x), static_cast<float>(side_y));
       copy_into(whole, buffer.read(), x, y);
@@ -287,7 +284,7 @@ Image PicturePainter::paint_tiles(Picture& picture, bool transparent) {
 
 void PicturePainter::draw_space_tile(const Picture& picture, const ScreenBox& tile,
                                      bool transparent, int height) {
-  SpaceCamera camera = picture.space.camera();
+  SpaceCamera camera = picture.space;
   const ScreenVector corner = camera.viewport().min - tile.min;
   const ScreenVector size = camera.viewport().size();
   camera.set_viewport(corner.x(), corner.y(), size.x(), size.y());
@@ -307,8 +304,7 @@ VectorFigure PicturePainter::figure(bool legend) const {
   const double scale = static_cast<double>(shown_.window.ui.theme().scale);
   const Area& v = shown_.window.layout.viewport;
   figure.camera.set_viewport(0, 0, v.width / scale, v.height / scale);
-  figure.camera.look_at(shown_.view.camera().centre(),
-                        shown_.view.camera().units_per_pixel() * scale);
+  figure.camera.look_at(shown_.view.centre(), shown_.view.units_per_pixel() * scale);
   if (const auto inset = pinned_inset(session, view, figure.camera, 1))
     figure.inset = FigureInset{inset->camera, inset->source};
   figure.fill = view.fill;
@@ -347,7 +343,7 @@ VectorFigure PicturePainter::space_figure(bool legend) const {
   if (!volume.scenes()) throw Error("The mesh is not drawn yet.");
   const VolumeScenes& scenes = *volume.scenes();
   const double scale = static_cast<double>(shown_.window.ui.theme().scale);
-  SpaceCamera camera = shown_.space.camera();
+  SpaceCamera camera = shown_.space;
   const ScreenVector size = camera.viewport().size() / scale;
   camera.set_viewport(0, 0, size.x(), size.y());
   camera.look_at(camera.centre(), camera.units_per_pixel() * scale);
@@ -379,14 +375,13 @@ Image PicturePainter::raster_of(SpaceCamera camera) const {
   const auto height = static_cast<int>(std::lround(factor * size.y()));
   camera.set_viewport(0, 0, width, height);
   camera.look_at(camera.centre(), camera.units_per_pixel() / factor);
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const unsigned bound = FrameBuffer::bound();
   const FrameBuffer buffer(width, height, samples);
   buffer.clear({0, 0, 0, 0});
   shown_.pane.mesh_view().volume().draw_alone(camera, height);
   Image image = buffer.read();
   divide_by_alpha(image);
-  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+  glBindFramebuffer(GL_FRAMEBUFFER, bound);
   return image;
 }
 

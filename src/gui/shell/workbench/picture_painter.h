@@ -15,8 +15,8 @@ class PicturePainter : public PictureSource {
   struct Shown {
     Session& session;
     PanelContext context;
-    const PlaneView& view;   ///< of plane meshes
-    const SpaceView& space;  ///< of volume meshes
+    const Camera& view;        ///< of plane meshes
+    const SpaceCamera& space;  ///< of volume meshes
     WindowFrame& window;
     Regions& regions;
     ViewportPane& pane;
@@ -44,7 +44,7 @@ class PicturePainter : public PictureSource {
   void lay_out(Picture& picture, const Bounds& visible);
   void draw_space_tile(const Picture& picture, const ScreenBox& tile, bool transparent, int height);
   Image paint_tiles(Picture& picture, bool transparent);
-  void end(std::unique_ptr<Picture> picture, int framebuffer);
+  void end(std::unique_ptr<Picture> picture, unsigned framebuffer);
 
   Shown shown_;
   std::unique_ptr<WindowFrame> last_;  // of the last picture: the next often has its size

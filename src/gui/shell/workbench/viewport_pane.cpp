@@ -8,8 +8,7 @@
 #include "gui/view/navigation/go_to.h"
 #include "gui/view/overlays/foot_overlay.h"
 #include "gui/view/overlays/overlay.h"
-#include "gui/view/overlays/ruler_overlay.h"
-#include "gui/view/overlays/space_overlay.h"
+#include "gui/view/overlays/tool_overlay.h"
 #include "gui/widgets/ui_layer.h"
 
 namespace winslow::gui {

@@ -9,9 +9,9 @@
 #include "gui/view/mesh/mesh_layer.h"
 #include "gui/view/mesh/mesh_view.h"
 #include "gui/view/navigation/view_control.h"
+#include "gui/view/overlays/foot_overlay.h"
 #include "gui/view/overlays/id_labels.h"
 #include "gui/view/overlays/role_overlay.h"
-#include "gui/view/overlays/space_overlay.h"
 #include "gui/view/overlays/view_overlay.h"
 #include "gui/view/tools/ruler.h"
 #include "gui/view/tools/viewport.h"
@@ -24,8 +24,8 @@ struct MeshFrame {
   const View& view;
   const Layout& layout;
   Lens& lens;
-  const SpaceView* space = nullptr;  ///< the view, of a volume mesh
-  bool mesh_alone = false;           ///< nothing that is there for the mouse's sake
+  const SpaceCamera* space = nullptr;  ///< the view, of a volume mesh
+  bool mesh_alone = false;             ///< nothing that is there for the mouse's sake
 };
 
 /// The part of the window that shows the mesh: the mesh itself, what is drawn over it, and the

@@ -45,7 +45,7 @@ Workbench::Workbench(const WorkbenchOptions& options)
       window_(options.scale),
       autosave_(options.profile),
       view_control_(session_, options.scale),
-      pictures_({session_, context(), view_control_.plane(), view_control_.space().view(), window_,
+      pictures_({session_, context(), view_control_.camera(), view_control_.space().view(), window_,
                  regions_, pane_}) {
   restore_settings(settings_file_.initial(), view_control_, window_, opened_files_.recent());
 }

@@ -2,7 +2,7 @@
 
 #include "core/quality/validity.h"
 #include "gui/base/background.h"
-#include "gui/document/jobs/quality_monitor.h"
+#include "gui/document/session/quality_watch.h"
 #include "gui/document/session/session.h"
 #include "gui/render/color_scale.h"
 #include "gui/render/mesh_renderer.h"

@@ -1,22 +1,10 @@
 #include "gui/view/mesh/mesh_view.h"
 
-#include "gui/render/gl.h"
 #include "gui/view/mesh/mesh_colors.h"
 
 namespace winslow::gui {
 
 namespace {
-
-constexpr int samples = 4;
-
-/// The camera's part of a framebuffer.
-FrameBuffer::Part pixels_of(const Camera& camera, int height) {
-  const auto x = static_cast<int>(std::lround(camera.viewport_origin().x()));
-  const auto y = static_cast<int>(std::lround(camera.viewport_origin().y()));
-  const auto part_width = static_cast<int>(std::lround(camera.viewport_width()));
-  const auto part_height = static_cast<int>(std::lround(camera.viewport_height()));
-  return {x, height - y - part_height, part_width, part_height};
-}
 
 MeshStyle style_for(const ViewOptions& view, float scale) {
   const MeshColors colors = mesh_colors(view);
@@ -81,7 +69,7 @@ void MeshView::update_markers(const Session& session, const ViewOptions& view, f
   const auto count = static_cast<Index>(session.topology()->markers().size());
   markers_.clear();
   for (Index m = 0; m < count; ++m) {
-    const std::string& name = session.topology()->markers()[static_cast<std::size_t>(m)].name;
+    const std::string& name = session.topology()->markers()[at(m)].name;
     if (view.markers.of(name).hidden) {
       markers_.push_back({{}, 0});
       continue;
@@ -98,16 +86,15 @@ void MeshView::update_markers(const Session& session, const ViewOptions& view, f
   if (comparison_ == Comparison::split) before_.renderer().set_marker_styles(markers_);
 }
 
-void MeshView::draw(const Camera& camera, const Camera* whole, int width, int height) {
+void MeshView::draw(const Camera& camera, const Camera* whole, int height) {
   if (!has_mesh_) return;
   if (whole) draw_backdrop(camera, *whole, backdrop_, height);
   if (!now_.has_mesh()) return;
-  if (comparison_ == Comparison::split && before_.has_mesh())
-    return draw_split(camera, width, height);
-  now_.renderer().draw(camera, style_, width, height);
+  if (comparison_ == Comparison::split && before_.has_mesh()) return draw_split(camera, height);
+  now_.renderer().draw(camera, style_, height);
   // Over the surfaces, which would hide it; its colour keeps it apart from the present edges.
   if (comparison_ == Comparison::ghost && before_.has_mesh())
-    before_.renderer().draw(camera, ghost_, width, height);
+    before_.renderer().draw(camera, ghost_, height);
 }
 
 MeshView::PictureKey MeshView::picture_key(const Camera& camera, int width, int height) {
@@ -121,52 +108,40 @@ MeshView::PictureKey MeshView::picture_key(const Camera& camera, int width, int 
 
 void MeshView::draw_kept(const Camera& camera, int width, int height) {
   if (!has_mesh_ || !now_.has_mesh() || now_.small()) {
-    kept_.reset();
-    kept_key_.reset();
-    return draw(camera, &camera, width, height);
+    kept_.clear();
+    return draw(camera, &camera, height);
   }
   // The markers, which light up under the mouse, are drawn over the picture where nothing of it
   // lies above them.
   const bool markers_apart = comparison_ == Comparison::none && style_.node_size <= 0;
   const bool markers = style_.markers;
   style_.markers = markers && !markers_apart;
-  GLint target = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
-  const FrameBuffer::Part part = pixels_of(camera, height);
-  PictureKey key = picture_key(camera, width, height);
-  if (kept_key_ != key) {
-    if (!kept_ || kept_->width() != width || kept_->height() != height)
-      kept_ = std::make_unique<FrameBuffer>(width, height, samples);
-    kept_->bind();
-    draw(camera, &camera, width, height);
-    kept_->resolve(part);
-    kept_key_ = std::move(key);
-  }
-  kept_->show(part, static_cast<GLuint>(target));
+  kept_.show(picture_key(camera, width, height), FrameBuffer::part_of(camera.viewport(), height),
+             width, height, [&] { draw(camera, &camera, height); });
   style_.markers = markers;
   if (!markers || !markers_apart) return;
   MeshStyle rim = style_;
   rim.fill = rim.wireframe = rim.show_inverted = false;
-  now_.renderer().draw(camera, rim, width, height);
+  now_.renderer().draw(camera, rim, height);
 }
 
-void MeshView::draw_split(const Camera& camera, int width, int height) {
+void MeshView::draw_split(const Camera& camera, int height) {
   const auto [from, to] = camera.viewport();
   const double middle = std::clamp(camera.to_screen(Vec2(divider_, 0)).x(), from.x(), to.x());
   MeshStyle left = style_;
   left.clip = ScreenBox{from, {middle, to.y()}};
-  before_.renderer().draw(camera, left, width, height);
+  before_.renderer().draw(camera, left, height);
   MeshStyle right = style_;
   right.clip = ScreenBox{{middle, from.y()}, to};
-  now_.renderer().draw(camera, right, width, height);
+  now_.renderer().draw(camera, right, height);
 }
 
-void MeshView::draw_magnified(const Camera& camera, const Camera& whole, int width, int height) {
+void MeshView::draw_magnified(const Camera& camera, const Camera& whole, int height) {
   if (!has_mesh_ || !now_.has_mesh()) return;
   draw_backdrop(camera, whole, backdrop_, height);
-  now_.renderer().draw(camera, style_, width, height, 1);
+  now_.renderer().draw(camera, style_, height, 1);
   if (comparison_ == Comparison::ghost && before_.has_mesh())
-    before_.renderer().draw(camera, ghost_, width, height, 1);
+    before_.renderer().draw(camera, ghost_, height, 1);
 }
 
 }  // namespace winslow::gui

@@ -20,14 +20,14 @@ class MeshView {
               float scale);
   /// Draws what lies behind and the mesh into the bound framebuffer, `height` pixels high. whole:
   /// the view that the camera sees a part of; null: nothing lies behind.
-  void draw(const Camera& camera, const Camera* whole, int width, int height);
+  void draw(const Camera& camera, const Camera* whole, int height);
   /// The same with the backdrop, for frame after frame of a window: of a large mesh the picture is
   /// kept and drawn anew only when it would be another. A frame of the interface alone, a progress
   /// bar or a menu under the mouse, then costs what it does without a mesh.
   void draw_kept(const Camera& camera, int width, int height);
   /// Draws anew next time.
   void forget_picture() {
-    kept_key_.reset();
+    kept_.forget();
     volume_.forget_picture();
   }
   VolumeView& volume() { return volume_; }
@@ -39,7 +39,7 @@ class MeshView {
   /// Where the mesh before ends and the mesh now begins, if they are side by side: x of the mesh.
   void set_divider(double x) { divider_ = x; }
   /// The present mesh alone, with the camera of a magnifier.
-  void draw_magnified(const Camera& camera, const Camera& whole, int width, int height);
+  void draw_magnified(const Camera& camera, const Camera& whole, int height);
   /// The mesh now on screen, if any.
   const ShownMesh* shown() const {
     if (in_space_) return volume_.shown();
@@ -55,7 +55,7 @@ class MeshView {
 
  private:
   void update_markers(const Session& session, const ViewOptions& view, float scale);
-  void draw_split(const Camera& camera, int width, int height);
+  void draw_split(const Camera& camera, int height);
   /// All that the kept picture depends on.
   struct PictureKey {
     Camera camera;
@@ -81,8 +81,7 @@ class MeshView {
   double divider_ = 0;
   bool has_mesh_ = false;
   std::vector<MeshRenderer::MarkerStyle> markers_;
-  std::unique_ptr<FrameBuffer> kept_;
-  std::optional<PictureKey> kept_key_;  // of what is in kept_
+  KeptPicture<PictureKey> kept_;
 };
 
 }  // namespace winslow::gui

@@ -2,7 +2,6 @@
 
 #include "core/inspect/space/plane_section.h"
 #include "core/inspect/space/surface_measures.h"
-#include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
 #include "core/quality/volume_element.h"
 #include "gui/render/mesh_renderer.h"
@@ -62,8 +61,6 @@ using Flags = VolumeScenes::Memory::Flags;
 using Painted = VolumeScenes::Memory::Painted;
 using PartKey = VolumeScenes::Memory::PartKey;
 
-Plane plane_of(const CutPlane& cut) { return {Vec3(cut.point.data()), Vec3(cut.normal.data())}; }
-
 bool boundary_stays(const VolumeWish& a, const VolumeWish& b) {
   if (a.mesh == b.mesh) return true;
   if (a.boundary != b.boundary) return false;
@@ -83,25 +80,6 @@ double size_of(const Mesh& mesh, Index e) {
   if (is_surface(topology))
     return face_area(SpacePoints(mesh.coordinates), Face(topology.element(e)));
   return VolumeElement(mesh.coordinates, topology.element_type(e), topology.element(e)).volume();
-}
-
-/// normals: reference normals of a surface mesh.
-std::shared_ptr<const Flags> find_inverted(const Mesh& mesh, std::span<const Vec3> normals) {
-  const Topology& topology = *mesh.topology;
-  if (is_surface(topology)) {
-    auto inverted = std::make_shared<Flags>();
-    for (const double sine : element_values(mesh, Metric::normalized_jacobian, normals))
-      inverted->push_back(sine > 0 ? 0 : 1);
-    return inverted;
-  }
-  auto inverted = std::make_shared<Flags>(at(topology.element_count()));
-  parallel_for(0, topology.element_count(), [&](Index begin, Index end) {
-    for (Index e = begin; e < end; ++e) {
-      const VolumeElement element(mesh.coordinates, topology.element_type(e), topology.element(e));
-      (*inverted)[at(e)] = element.inverted() ? 1 : 0;
-    }
-  });
-  return inverted;
 }
 
 std::shared_ptr<const Painted> paint(const VolumeWish& wish, bool any_inverted) {
@@ -176,7 +154,7 @@ class SceneMaker {
     if (same)
       memory_->inverted = before_->inverted;
     else if (any_inverted_)
-      memory_->inverted = find_inverted(mesh, normals);
+      memory_->inverted = std::make_shared<const Flags>(inverted_elements(mesh, normals));
     else
       memory_->inverted = std::make_shared<const Flags>(at(mesh.topology->element_count()), 0);
     const bool boundary_same = before_ && boundary_stays(last_->of, wish_);
@@ -220,7 +198,6 @@ class SceneMaker {
   /// An index pays where a mesh is cut again: it is made when a mesh is opened and, when nodes have
   /// moved, with the second picture of where they are.
   void choose_sections() {
-    if (is_surface(*wish_.mesh->topology)) return;
     if (wish_.mesh->topology->element_count() < large_volume) return;
     const bool same_topology = before_ && last_->of.mesh->topology == wish_.mesh->topology;
     const auto known = same_topology ? before_->sections : nullptr;
@@ -261,20 +238,9 @@ class SceneMaker {
     const bool same = same_layers && before_->peeled && last_->of.peel == peel &&
                       before_->painted == memory_->painted && last_->of.cuts == wish_.cuts &&
                       (wish_.cuts.empty() || last_->of.mesh == wish_.mesh);
-    if (same) {
-      memory_->peeled = before_->peeled;
-    } else {
-      auto peeled = std::make_shared<Flags>(at(topology.element_count()), 0);
-      const Flags behind = look_.cuts.empty() ? Flags{} : elements_behind(*wish_.mesh, look_.cuts);
-      for (std::size_t e = 0; e < peeled->size(); ++e) {
-        const Index layer = (*memory_->layers)[e];
-        const bool shown = layer >= peel.from && layer <= peel.to &&
-                           (behind.empty() || behind[e] != 0) &&
-                           (look_.isolated.empty() || look_.isolated[e] != 0);
-        (*peeled)[e] = shown ? 1 : 0;
-      }
-      memory_->peeled = std::move(peeled);
-    }
+    memory_->peeled = same ? before_->peeled
+                           : std::make_shared<const Flags>(peeled_elements(
+                                 *wish_.mesh, look_, *memory_->layers, {peel.from, peel.to}));
     look_.isolated = *memory_->peeled;
   }
 

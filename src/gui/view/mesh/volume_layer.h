@@ -3,13 +3,21 @@
 #include "core/inspect/space/section_index.h"
 #include "core/strategy/surface_shape.h"
 #include "gui/base/background.h"
-#include "gui/document/jobs/quality_monitor.h"
+#include "gui/document/session/quality_watch.h"
 #include "gui/document/session/session.h"
 #include "gui/render/space/volume_scene.h"
 #include "gui/settings/view_options.h"
 #include "gui/view/mesh/mesh_layer.h"
 
 namespace winslow::gui {
+
+inline Plane plane_of(const CutPlane& cut) {
+  return {Vec3(cut.point.data()), Vec3(cut.normal.data())};
+}
+/// normal: of any length but 0.
+inline CutPlane cut_through(const Vec3& point, const Vec3& normal) {
+  return {{point.x(), point.y(), point.z()}, {normal.x(), normal.y(), normal.z()}};
+}
 
 /// What is wanted of a picture of a mesh in space: all that its scene depends on.
 struct VolumeWish {

@@ -1,14 +1,11 @@
 #include "gui/view/mesh/volume_view.h"
 
-#include "gui/render/gl.h"
 #include "gui/render/space/space_view.h"
 #include "gui/view/mesh/mesh_colors.h"
 
 namespace winslow::gui {
 
 namespace {
-
-constexpr int kept_samples = 4;
 
 Rgba mixed(const Rgba& a, const Rgba& b, float share) {
   Rgba c = a;
@@ -175,8 +172,7 @@ void VolumeView::clear() {
   worst_.clear();
   mesh_.reset();
   measured_.reset();
-  kept_.reset();
-  kept_key_.reset();
+  kept_.clear();
 }
 
 /// What is selected, and what lies under the mouse in the list or in the picture.
@@ -245,26 +241,12 @@ void VolumeView::draw_before(SpaceCamera camera, const ScreenBox& whole, int hei
 }
 
 void VolumeView::draw_kept(const SpaceCamera& camera, int width, int height) {
-  GLint target = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   const ScreenBox box =
       comparison_ == Comparison::split ? whole_of(camera.viewport(), divider_) : camera.viewport();
-  const auto x = static_cast<int>(std::lround(box.min.x()));
-  const auto y = static_cast<int>(std::lround(box.min.y()));
-  const auto part_width = static_cast<int>(std::lround(box.size().x()));
-  const auto part_height = static_cast<int>(std::lround(box.size().y()));
-  const FrameBuffer::Part part{x, height - y - part_height, part_width, part_height};
   PictureKey key{camera, width, height, backdrop_, layer_.revision(), 0, tints_, comparison_};
   if (compares()) key.before = before_layer_.revision();
-  if (kept_key_ != key) {
-    if (!kept_ || kept_->width() != width || kept_->height() != height)
-      kept_ = std::make_unique<FrameBuffer>(width, height, kept_samples);
-    kept_->bind();
-    draw(camera, &box, height);
-    kept_->resolve(part);
-    kept_key_ = std::move(key);
-  }
-  kept_->show(part, static_cast<GLuint>(target));
+  kept_.show(key, FrameBuffer::part_of(box, height), width, height,
+             [&] { draw(camera, &box, height); });
 }
 
 }  // namespace winslow::gui

@@ -31,7 +31,7 @@ class VolumeView {
   /// The same with the backdrop, of a picture that is kept and drawn anew only when it would be
   /// another.
   void draw_kept(const SpaceCamera& camera, int width, int height);
-  void forget_picture() { kept_key_.reset(); }
+  void forget_picture() { kept_.forget(); }
 
   bool poll();
   bool busy() const { return layer_.busy() || (compares() && before_layer_.busy()); }
@@ -84,8 +84,7 @@ class VolumeView {
   BackdropColors backdrop_;
   std::vector<Rgba> tints_;
   std::vector<Index> worst_;
-  std::unique_ptr<FrameBuffer> kept_;
-  std::optional<PictureKey> kept_key_;
+  KeptPicture<PictureKey> kept_;
 };
 
 }  // namespace winslow::gui

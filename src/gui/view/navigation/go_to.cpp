@@ -14,19 +14,24 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr const char* expected =
-    "Expected a node (n123), an element (e45), a point (0.5, 0.1), \"worst 3\" or a marker.";
+/// What is said of meshes of one kind.
+struct KindWords {
+  const char* expected;  ///< as the name of an item
+  const char* sides;     ///< of an element that lie on markers
+  const char* quality;   ///< normalized Jacobian
+  bool faces = false;    ///< they have numbers
+};
 
-constexpr const char* expected_on_surface =
-    "Expected a node (n123), an element (e45), a point (0.5, 0.1, 2), \"worst 3\" or a marker.";
-
-constexpr const char* expected_in_volume =
-    "Expected a node (n123), an element (e45), a face (f12, wing 12), a point (0.5, 0.1, 2), "
-    "\"worst 3\" or a marker.";
-
-const char* expected_of(MeshKind kind) {
-  if (kind == MeshKind::plane) return expected;
-  return kind == MeshKind::volume ? expected_in_volume : expected_on_surface;
+const KindWords& words_of(MeshKind kind) {
+  static constexpr std::array<KindWords, 3> words{
+      {{"Expected a node (n123), an element (e45), a point (0.5, 0.1), \"worst 3\" or a marker.",
+        "Edges on", "sine"},
+       {"Expected a node (n123), an element (e45), a point (0.5, 0.1, 2), \"worst 3\" or a marker.",
+        "Edges on", "sine"},
+       {"Expected a node (n123), an element (e45), a face (f12, wing 12), a point (0.5, 0.1, 2), "
+        "\"worst 3\" or a marker.",
+        "Faces on", "scaled Jacobian", true}}};
+  return words[static_cast<std::size_t>(kind)];
 }
 
 std::string trimmed(const std::string& text) {
@@ -43,14 +48,13 @@ std::optional<long long> whole_number(const std::string& text) {
 }
 
 /// With as many numbers as the mesh has coordinates; z = 0 in the plane.
-std::optional<Vec3> point_of(const std::string& text, bool in_space) {
+std::optional<Vec3> point_of(const std::string& text, int dimension) {
   Vec3 p(0, 0, 0);
-  char rest = 0;
-  const int read = in_space
-                       ? std::sscanf(text.c_str(), "%lf , %lf , %lf %c", &p[0], &p[1], &p[2], &rest)
-                       : std::sscanf(text.c_str(), "%lf , %lf %c", &p[0], &p[1], &rest);
-  if (read != (in_space ? 3 : 2) || !p.allFinite()) return std::nullopt;
-  return p;
+  int end = 0;
+  const int read =
+      std::sscanf(text.c_str(), "%lf , %lf%n , %lf%n", &p[0], &p[1], &end, &p[2], &end);
+  const bool whole = read == dimension && static_cast<std::size_t>(end) == text.size();
+  return whole && p.allFinite() ? std::optional(p) : std::nullopt;
 }
 
 Index count_of(MeshItem::Kind kind, const Topology& topology) {
@@ -62,7 +66,7 @@ Index count_of(MeshItem::Kind kind, const Topology& topology) {
     case MeshItem::Kind::face:
       break;
   }
-  return topology.cell_dimension() == 3 ? topology.face_count() : 0;
+  return words_of(kind_of(topology)).faces ? topology.face_count() : 0;
 }
 
 MeshItem checked(MeshItem::Kind kind, long long id, const Topology& topology) {
@@ -140,11 +144,7 @@ std::string list_of(std::span<const Index> ids) {
   return text;
 }
 
-std::string coordinate(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.8g", value);
-  return text;
-}
+std::string coordinate(double value) { return formatted("%.8g", value); }
 
 using Lines = std::vector<std::pair<std::string, std::string>>;
 
@@ -160,14 +160,9 @@ Vec3 middle_of(const SpacePoints& x, std::span<const Index> nodes) {
 
 /// What separates an element from its neighbours: faces of a volume element, edges of another.
 std::vector<Face> sides_of(const Topology& topology, Index e) {
-  const auto nodes = topology.element(e);
   std::vector<Face> sides;
-  if (topology.cell_dimension() == 3)
-    for (const Face& face : shape_of(topology.element_type(e)).faces)
-      sides.push_back(by_nodes(face, nodes));
-  else
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      sides.emplace_back(nodes[k], nodes[(k + 1) % nodes.size()]);
+  for (const Face& face : shape_of(topology.element_type(e)).faces)
+    sides.push_back(by_nodes(face, topology.element(e)));
   return sides;
 }
 
@@ -187,8 +182,7 @@ void add_surroundings(Lines& lines, Index e, const Mesh& mesh) {
   lines.emplace_back("Middle",
                      place_text(middle_of(SpacePoints(mesh.coordinates), topology.element(e))));
   lines.emplace_back("Neighbours", neighbours.empty() ? "none" : neighbours);
-  if (!markers.empty())
-    lines.emplace_back(topology.cell_dimension() == 3 ? "Faces on" : "Edges on", markers);
+  if (!markers.empty()) lines.emplace_back(words_of(kind_of(topology)).sides, markers);
 }
 
 Lines describe_face(Index f, const Session& session) {
@@ -225,18 +219,16 @@ void add_worst_around(Lines& lines, Index i, const Session& session) {
     worst = e;
   }
   if (worst >= 0)
-    lines.emplace_back(
-        "Worst of them",
-        std::to_string(worst) +
-            (mesh.topology->cell_dimension() == 3 ? ", scaled Jacobian " : ", sine ") +
-            short_number(least));
+    lines.emplace_back("Worst of them", std::to_string(worst) + ", " +
+                                            words_of(session.kind()).quality + ' ' +
+                                            short_number(least));
 }
 
-std::vector<std::pair<std::string, std::string>> describe_element(Index e, const Session& session) {
+Lines describe_element(Index e, const Session& session) {
   const Topology& topology = *session.topology();
   const auto shared = session.mesh().shared();
   const Mesh& mesh = *shared;
-  std::vector<std::pair<std::string, std::string>> lines{
+  Lines lines{
       {"Element " + std::to_string(e), std::string(shape_of(topology.element_type(e)).name)},
       {"Nodes", list_of(topology.element(e))}};
   if (session.in_space()) add_surroundings(lines, e, mesh);
@@ -252,7 +244,7 @@ std::vector<std::pair<std::string, std::string>> describe_element(Index e, const
   return lines;
 }
 
-std::vector<std::pair<std::string, std::string>> describe_node(Index i, const Session& session) {
+Lines describe_node(Index i, const Session& session) {
   const Topology& topology = *session.topology();
   const Vec3 p = place_of(session.coordinates(), i);
   std::string markers;
@@ -264,14 +256,15 @@ std::vector<std::pair<std::string, std::string>> describe_node(Index i, const Se
   const char* role = !topology.used(i)         ? "unused"
                      : topology.on_boundary(i) ? "boundary"
                                                : "interior";
-  std::vector<std::pair<std::string, std::string>> lines{
-      {"Node " + std::to_string(i), role}, {"x", coordinate(p.x())}, {"y", coordinate(p.y())}};
-  if (session.in_space()) lines.emplace_back("z", coordinate(p.z()));
+  const bool in_space = session.in_space();
+  Lines lines{{"Node " + std::to_string(i), role}};
+  for (int k = 0; k < session.coordinates().dimension(); ++k)
+    lines.emplace_back(std::string(1, "xyz"[k]), coordinate(p[k]));
   lines.emplace_back("Marker", markers.empty() ? "none" : markers);
   lines.emplace_back("Degree", std::to_string(topology.neighbours(i).size()));
-  if (session.in_space()) lines.emplace_back("Neighbours", list_of(topology.neighbours(i)));
+  if (in_space) lines.emplace_back("Neighbours", list_of(topology.neighbours(i)));
   lines.emplace_back("Elements", list_of(topology.star(i)));
-  if (session.in_space()) add_worst_around(lines, i, session);
+  if (in_space) add_worst_around(lines, i, session);
   if (const auto& given = session.document()->given())
     lines.emplace_back("Deviation", short_number(given->to(p)));
   return lines;
@@ -281,7 +274,8 @@ std::vector<std::pair<std::string, std::string>> describe_node(Index i, const Se
 
 MeshItem parse_item(const std::string& text, const Session& session, const ViewOptions& view) {
   const std::string wanted = trimmed(text);
-  if (wanted.empty()) throw UsageError(expected_of(session.kind()));
+  const KindWords& words = words_of(session.kind());
+  if (wanted.empty()) throw UsageError(words.expected);
   const Topology& topology = *session.topology();
   // A marker may be called "n1" or "worst": a name that exists wins.
   if (const auto marker = topology.markers().find(wanted); marker)
@@ -293,16 +287,17 @@ MeshItem parse_item(const std::string& text, const Session& session, const ViewO
   if (const auto number = whole_number(rest)) {
     const char letter = wanted.front();
     if (letter == 'n' || letter == 'N') return checked(MeshItem::Kind::node, *number, topology);
-    if (session.kind() == MeshKind::volume && (letter == 'f' || letter == 'F'))
+    if (words.faces && (letter == 'f' || letter == 'F'))
       return checked(MeshItem::Kind::face, *number, topology);
     if (letter == 'e' || letter == 'E' || letter == '#')
       return checked(MeshItem::Kind::element, *number, topology);
   }
   if (wanted.starts_with("worst")) return worst_item(trimmed(wanted.substr(5)), session, view);
-  if (session.kind() == MeshKind::volume)
+  if (words.faces)
     if (const auto face = marker_face(wanted, topology)) return *face;
-  if (const auto point = point_of(wanted, session.in_space())) return nearest_node(*point, session);
-  throw UsageError(expected_of(session.kind()));
+  if (const auto point = point_of(wanted, session.coordinates().dimension()))
+    return nearest_node(*point, session);
+  throw UsageError(words.expected);
 }
 
 std::string item_name(const MeshItem& item) {

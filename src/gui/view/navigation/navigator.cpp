@@ -4,12 +4,61 @@
 
 namespace winslow::gui {
 
+namespace {
+
+constexpr double rest_seconds = 0.4;
+constexpr std::size_t most_views = 100;
+
+bool same(const LookedAt& a, const LookedAt& b) {
+  const double unit = std::min(a.units_per_pixel, b.units_per_pixel);
+  return a.direction == b.direction && (a.centre - b.centre).cwiseAbs().maxCoeff() < 0.5 * unit &&
+         std::abs(a.units_per_pixel - b.units_per_pixel) < 1e-3 * unit;
+}
+
+}  // namespace
+
+void ViewHistory::clear() {
+  views_.clear();
+  position_ = 0;
+  rested_ = 0;
+}
+
+void ViewHistory::observe(const LookedAt& now, bool busy, double seconds) {
+  rested_ = busy || !same(now, last_) ? 0 : rested_ + seconds;
+  last_ = now;
+  if (rested_ >= rest_seconds) leave(now);
+}
+
+void ViewHistory::leave(const LookedAt& now) {
+  if (!views_.empty()) {
+    if (same(views_[position_], now)) return;
+    views_.resize(position_ + 1, now);
+  }
+  views_.push_back(now);
+  if (views_.size() > most_views) views_.erase(views_.begin());
+  position_ = views_.size() - 1;
+}
+
+bool ViewHistory::can_go_back(const LookedAt& now) const {
+  return position_ > 0 || (!views_.empty() && !same(views_[position_], now));
+}
+
+std::optional<LookedAt> ViewHistory::back(const LookedAt& now) {
+  leave(now);
+  if (position_ == 0) return std::nullopt;
+  return views_[--position_];
+}
+
+std::optional<LookedAt> ViewHistory::forward() {
+  if (!can_go_forward()) return std::nullopt;
+  return views_[++position_];
+}
+
 void Navigator::set_viewport(const ScreenBox& area) {
-  plane_.view().camera().set_viewport(area.min.x(), area.min.y(), area.size().x(), area.size().y());
+  plane_.view().set_viewport(area.min.x(), area.min.y(), area.size().x(), area.size().y());
   ScreenBox space = area;
   if (options_.comparison == Comparison::split) space = side_by_side(space, options_.divider).now;
-  space_.view().camera().set_viewport(space.min.x(), space.min.y(), space.size().x(),
-                                      space.size().y());
+  space_.view().set_viewport(space.min.x(), space.min.y(), space.size().x(), space.size().y());
 }
 
 void Navigator::leave_mesh() {
@@ -21,43 +70,9 @@ void Navigator::begin_mesh() {
   if (session_.document()) camera_control().begin(options_);
 }
 
-void Navigator::on(const action::FitView&) {
-  if (!session_.document()) return;
-  leave();
-  camera_control().fit_all();
-}
-
-void Navigator::on(const action::FitSelection&) {
-  on(action::FitMarkers{session_.selection().markers()});
-}
-
-void Navigator::on(const action::FitMarkers& a) {
-  if (!session_.document()) return;
-  leave();
-  camera_control().fit_markers(a.markers);
-}
-
-void Navigator::on(const action::FitBodies&) {
-  if (!session_.document()) return;
-  leave();
-  camera_control().fit_bodies();
-}
-
-void Navigator::on(const action::LookAt& a) {
-  if (!session_.document()) return;
-  leave();
-  camera_control().look_around(a.point, a.radius);
-  stay_above_card();
-}
-
-void Navigator::on(const action::ZoomToScreen& a) {
-  if (!session_.document()) return;
-  leave();
-  camera_control().zoom_to(a.box, a.depth);
-}
-
 void Navigator::on(const action::LookFrom& a) {
-  if (!session_.in_space()) return;
+  // The plane is seen from above.
+  if (!camera_control().view().turns()) return;
   leave();
   space_.look_from(named_view(a.name, options_.space.up));
 }

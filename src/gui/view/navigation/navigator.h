@@ -1,12 +1,35 @@
 #pragma once
 
 #include "gui/document/actions/actions.h"
-#include "gui/document/actions/dispatch.h"
+#include "gui/document/actions/document_actions.h"
+#include "gui/render/view.h"
 #include "gui/view/navigation/camera_control.h"
-#include "gui/view/navigation/space_control.h"
-#include "gui/view/navigation/view_history.h"
 
 namespace winslow::gui {
+
+/// The places that the user has looked at, to go back to and forward from. A view counts once it
+/// has rested; what one passes through while panning and zooming does not.
+class ViewHistory {
+ public:
+  /// Another mesh: forgets everything.
+  void clear();
+  /// In every frame. busy: the mouse is changing the view. seconds: since the last frame.
+  void observe(const LookedAt& now, bool busy, double seconds);
+  /// The view is about to jump elsewhere: where it is now counts.
+  void leave(const LookedAt& now);
+
+  bool can_go_back(const LookedAt& now) const;
+  bool can_go_forward() const { return position_ + 1 < views_.size(); }
+  /// Where that leads; none: nowhere.
+  std::optional<LookedAt> back(const LookedAt& now);
+  std::optional<LookedAt> forward();
+
+ private:
+  std::vector<LookedAt> views_;
+  std::size_t position_ = 0;
+  LookedAt last_;
+  double rested_ = 0;  // seconds
+};
 
 /// Where the user looks, and where that was before. Knows nothing of OpenGL or of widgets.
 class Navigator {
@@ -31,12 +54,17 @@ class Navigator {
   SpaceControl& space() { return space_; }
 
   void apply(const CameraAction& action) { Dispatch::to(*this, action); }
-  void on(const action::FitView&);
-  void on(const action::FitSelection&);
-  void on(const action::FitBodies&);
-  void on(const action::FitMarkers& a);
-  void on(const action::LookAt& a);
-  void on(const action::ZoomToScreen& a);
+  void on(const action::FitView&) { jump(&CameraControl::fit_all); }
+  void on(const action::FitBodies&) { jump(&CameraControl::fit_bodies); }
+  void on(const action::FitMarkers& a) { jump(&CameraControl::fit_markers, a.markers); }
+  void on(const action::FitSelection&) {
+    jump(&CameraControl::fit_markers, session_.selection().markers());
+  }
+  void on(const action::LookAt& a) {
+    jump(&CameraControl::look_around, a.point, a.radius);
+    stay_above_card();
+  }
+  void on(const action::ZoomToScreen& a) { jump(&CameraControl::zoom_to, a.box, a.depth); }
   void on(const action::LookFrom& a);
   void on(const action::BackView&) { look_there(history_.back(looked_at())); }
   void on(const action::ForwardView&) { look_there(history_.forward()); }
@@ -71,9 +99,15 @@ class Navigator {
   }
   /// Before the view jumps elsewhere.
   void leave() { history_.leave(looked_at()); }
+  template <class... Parameters, class... Arguments>
+  void jump(void (CameraControl::*how)(Parameters...), const Arguments&... arguments) {
+    if (!session_.document()) return;
+    leave();
+    (camera_control().*how)(arguments...);
+  }
   /// After it: what is looked at is not under the card.
   void stay_above_card() {
-    if (card_) camera_control().look_above(*card_);
+    if (card_ && session_.document()) camera_control().look_above(*card_);
   }
 
   const Session& session_;

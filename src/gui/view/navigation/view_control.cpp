@@ -1,6 +1,7 @@
 #include "gui/view/navigation/view_control.h"
 
 #include "gui/view/mesh/mesh_colors.h"
+#include "gui/view/mesh/volume_layer.h"
 #include "gui/view/navigation/go_to.h"
 
 namespace winslow::gui {
@@ -135,18 +136,13 @@ void ViewControl::on(const action::InspectNode& a) {
 
 void ViewControl::on(const action::AddCut& a) {
   if (session_.kind() != MeshKind::volume || options_.space.cuts.size() >= most_cuts) return;
-  CutPlane cut;
-  for (Index k = 0; k < 3; ++k) {
-    cut.point[at(k)] = a.point[k];
-    cut.normal[at(k)] = a.normal[k];
-  }
   state_.cut = options_.space.cuts.size();
-  options_.space.cuts.push_back(cut);
+  options_.space.cuts.push_back(cut_through(a.point, a.normal));
 }
 
 void ViewControl::on(const action::AddCutAcrossView&) {
   if (session_.kind() != MeshKind::volume) return;
-  const SpaceCamera& camera = space().camera();
+  const SpaceCamera& camera = space().view();
   Index axis = 0;
   camera.back().cwiseAbs().maxCoeff(&axis);
   const Vec3 normal = (camera.back()[axis] < 0 ? -1 : 1) * Vec3::Unit(axis);
@@ -156,7 +152,7 @@ void ViewControl::on(const action::AddCutAcrossView&) {
 }
 
 void ViewControl::on(const action::ShowLook& a) {
-  if (!session_.in_space()) return;
+  if (!view().turns()) return;
   options_.space.cuts = a.look.cuts;
   options_.space.peel.on = false;
   options_.space.up = a.look.up;
@@ -182,7 +178,7 @@ void ViewControl::on(const action::AskGoTo&) {
 }
 
 void ViewControl::on(const action::PinMagnifier&) {
-  if (!session_.document() || session_.in_space()) return;
+  if (!session_.document() || view().turns()) return;
   if (options_.magnifier.on && options_.magnifier.pin) {
     options_.magnifier.pin.reset();
     options_.magnifier.on = false;

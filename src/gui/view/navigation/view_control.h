@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gui/document/actions/actions.h"
-#include "gui/document/actions/dispatch.h"
+#include "gui/document/actions/document_actions.h"
 #include "gui/document/session/session.h"
 #include "gui/settings/view_options.h"
 #include "gui/settings/view_state.h"
@@ -31,8 +31,7 @@ class ViewControl {
   const View& view() const { return navigator_.camera_control().view(); }
   /// For the mouse, which turns, pans and zooms.
   View& view() { return navigator_.camera_control().view(); }
-  const PlaneView& plane() const { return navigator_.plane().view(); }
-  const Camera& camera() const { return navigator_.plane().camera(); }
+  const Camera& camera() const { return navigator_.plane().view(); }
   const SpaceControl& space() const { return navigator_.space(); }
   SpaceControl& space() { return navigator_.space(); }
 

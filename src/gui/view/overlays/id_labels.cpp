@@ -1,6 +1,6 @@
 #include "gui/view/overlays/id_labels.h"
 
-#include "gui/view/overlays/hidden_places.h"
+#include "gui/render/space/space_scene.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -181,7 +181,7 @@ void IdLabels::find_in(const ViewOverlay& o, const SpaceScene& part, const Volum
       Vec3 middle(0, 0, 0);
       // The triangles of one polygon follow one another.
       for (; t < fill.elements.size() && fill.elements[t] == fill.elements[first]; ++t) {
-        const SeenTriangle triangle(fill, 3 * t, part.origin, o.view);
+        const SeenTriangle triangle(fill, 3 * t, part, o.view);
         const double own = triangle.area();
         area += own;
         girth += triangle.girth();
@@ -213,7 +213,7 @@ void IdLabels::add_label(const ViewOverlay& o, const Vec3& point, const Item& it
 void IdLabels::hide_what_lies_behind(const ViewOverlay& o, const VolumeScenes& scenes) {
   std::vector<DeepPlace> places;
   for (const Label& label : labels_) places.push_back({label.drawn.at, label.depth});
-  hide_behind(o.view, scenes, places);
+  hide_behind(o.view, scenes.parts, scenes.planes, places);
   for (std::size_t k = 0; k < places.size(); ++k) labels_[k].hidden = places[k].hidden;
   std::erase_if(labels_, [](const Label& label) { return label.hidden; });
 }

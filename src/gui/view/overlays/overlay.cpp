@@ -2,8 +2,7 @@
 
 #include "core/layers/layer_measures.h"
 #include "gui/base/text.h"
-#include "gui/view/overlays/gizmo_drawing.h"
-#include "gui/view/overlays/mouse_labels.h"
+#include "gui/view/overlays/tool_overlay.h"
 #include "gui/view/overlays/vcv_overlay.h"
 #include "gui/widgets/controls.h"
 
@@ -116,7 +115,7 @@ void draw_wanted(ImDrawList& list, const Overlay& o) {
   const Coordinates& rest = o.session.mesh().motion_base().mesh.coordinates;
   if (const auto motion = o.session.mesh().live_motion()) {
     Outline outline;
-    for (const auto& [a, b] : o.session.selection().outline())
+    for (const auto& [a, b] : o.session.selection().own().outline())
       outline.emplace_back(transform(*motion, place_of(rest, a)),
                            transform(*motion, place_of(rest, b)));
     return draw_planned(list, o, outline);

@@ -1,7 +1,7 @@
 #include "gui/view/overlays/role_overlay.h"
 
 #include "gui/base/text.h"
-#include "gui/view/overlays/hidden_places.h"
+#include "gui/render/space/space_scene.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -104,49 +104,34 @@ void draw_key(ImDrawList& list, const Theme& theme, const ScreenBox& room, const
 
 }  // namespace
 
+namespace {
+
+/// In the order of NodeRole. Without colours of its own: as the text.
+struct RoleLook {
+  const char* name;
+  ImU32 on_light = 0, on_dark = 0;
+};
+constexpr std::array<RoleLook, node_role_count> looks{
+    {{"Free, inside"},
+     {"Fixed"},
+     {"Corner or edge, stays", IM_COL32(210, 40, 30, 255), IM_COL32(255, 110, 90, 255)},
+     {"Slides on a curve", IM_COL32(196, 140, 0, 255), IM_COL32(240, 190, 40, 255)},
+     {"Slides on a surface", IM_COL32(22, 140, 70, 255), IM_COL32(70, 200, 120, 255)},
+     {"Periodic", IM_COL32(140, 50, 190, 255), IM_COL32(210, 130, 250, 255)},
+     {"Moved, selected"},
+     {"Held", IM_COL32(0, 95, 185, 255), IM_COL32(110, 190, 255, 255)}}};
+
+}  // namespace
+
 ImU32 color_of(NodeRole role) {
-  const bool dark = palette().dark;
-  switch (role) {
-    case NodeRole::free:
-    case NodeRole::fixed:
-      return role == NodeRole::free ? palette().text_dim : palette().text;
-    case NodeRole::moves:
-      return palette().accent;
-    case NodeRole::on_surface:
-      return dark ? IM_COL32(70, 200, 120, 255) : IM_COL32(22, 140, 70, 255);
-    case NodeRole::on_curve:
-      return dark ? IM_COL32(240, 190, 40, 255) : IM_COL32(196, 140, 0, 255);
-    case NodeRole::periodic:
-      return dark ? IM_COL32(210, 130, 250, 255) : IM_COL32(140, 50, 190, 255);
-    case NodeRole::corner:
-      return dark ? IM_COL32(255, 110, 90, 255) : IM_COL32(210, 40, 30, 255);
-    case NodeRole::held:
-      return dark ? IM_COL32(110, 190, 255, 255) : IM_COL32(0, 95, 185, 255);
-  }
-  return palette().text;
+  const Palette& p = palette();
+  if (role == NodeRole::free) return p.text_dim;
+  if (role == NodeRole::moves) return p.accent;
+  const RoleLook& look = looks[static_cast<std::size_t>(role)];
+  return look.on_light == 0 ? p.text : p.dark ? look.on_dark : look.on_light;
 }
 
-const char* name_of(NodeRole role) {
-  switch (role) {
-    case NodeRole::free:
-      return "Free, inside";
-    case NodeRole::fixed:
-      return "Fixed";
-    case NodeRole::moves:
-      return "Moved, selected";
-    case NodeRole::on_surface:
-      return "Slides on a surface";
-    case NodeRole::on_curve:
-      return "Slides on a curve";
-    case NodeRole::periodic:
-      return "Periodic";
-    case NodeRole::corner:
-      return "Corner or edge, stays";
-    case NodeRole::held:
-      return "Held";
-  }
-  return "";
-}
+const char* name_of(NodeRole role) { return looks[static_cast<std::size_t>(role)].name; }
 
 void RoleOverlay::find_in_plane(const ViewOverlay& o, const NodeRoles& roles) {
   const Coordinates& x = o.session.coordinates();
@@ -163,8 +148,8 @@ void RoleOverlay::find_in_plane(const ViewOverlay& o, const NodeRoles& roles) {
 
 /// Nodes of bodies, and of what moves; of what encloses them and stays there is nothing to be said,
 /// and what a cut takes away of it is not there.
-void RoleOverlay::find_in_space(const ViewOverlay& o, const VolumeScenes& scenes,
-                                const NodeRoles& roles) {
+void RoleOverlay::find_in_picture(const ViewOverlay& o, const VolumeScenes& scenes,
+                                  const NodeRoles& roles) {
   const VolumeBoundary& boundary = *o.session.document()->boundary();
   const Topology& topology = *o.session.topology();
   const Coordinates& x = o.session.coordinates();
@@ -188,7 +173,7 @@ void RoleOverlay::find_in_space(const ViewOverlay& o, const VolumeScenes& scenes
     const auto [at, depth] = o.view.project(x.xyz(node));
     places.push_back({at, depth, !o.view.viewport().contains(at)});
   }
-  hide_behind(o.view, scenes, places);
+  hide_behind(o.view, scenes.parts, scenes.planes, places);
   for (std::size_t k = 0; k < nodes.size(); ++k)
     if (!places[k].hidden)
       dots_.push_back({places[k].at, roles.roles[at(nodes[k])],
@@ -210,7 +195,7 @@ void RoleOverlay::draw(ImDrawList& list, const ViewOverlay& o, const VolumeView&
   if (key_ != now) {
     key_ = now;
     dots_.clear();
-    in_space ? find_in_space(o, *scenes, *roles) : find_in_plane(o, *roles);
+    in_space ? find_in_picture(o, *scenes, *roles) : find_in_plane(o, *roles);
   }
   for (const auto& [a, b] : roles->features)
     list.AddLine(static_cast<ImVec2>(o.view.project(place_of(x, a)).at),

@@ -34,8 +34,8 @@ class RoleOverlay {
     bool operator==(const Key&) const = default;
   };
   void find_in_plane(const ViewOverlay& overlay, const NodeRoles& roles);
-  void find_in_space(const ViewOverlay& overlay, const VolumeScenes& scenes,
-                     const NodeRoles& roles);
+  void find_in_picture(const ViewOverlay& overlay, const VolumeScenes& scenes,
+                       const NodeRoles& roles);
 
   Key key_;
   std::vector<Dot> dots_;

@@ -16,11 +16,14 @@ struct Pen {
   ImFont* font;
 };
 
-void draw_number(ImDrawList& list, const ImVec2& centre, Index node, float room, ImFont* font) {
+/// below: by this share of its height its upper end is below the place; its middle is there at
+/// -0.5. room: pixels, in which it has to find place.
+void draw_number(ImDrawList& list, const ImVec2& centre, float below, Index node, double room,
+                 ImFont* font) {
   const std::string text = std::to_string(node);
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e6f, 0, text.c_str());
-  if (size.x > 1.1f * room) return;
-  const ImVec2 at(centre.x - size.x / 2, centre.y - size.y / 2);
+  if (static_cast<double>(size.x) > 1.1 * room) return;
+  const ImVec2 at(centre.x - size.x / 2, centre.y + below * size.y);
   list.AddRectFilled(ImVec2(at.x - 3, at.y - 1), ImVec2(at.x + size.x + 3, at.y + size.y + 1),
                      color(VcvColors().casing, VcvColors().label_alpha), 3);
   list.AddText(font, font->FontSize, at, color(VcvColors().line), text.c_str());
@@ -28,7 +31,7 @@ void draw_number(ImDrawList& list, const ImVec2& centre, Index node, float room,
 
 /// ends: of the VCV's edges, on screen. reach: length of the star's edges, pixels.
 void draw_one(ImDrawList& list, const NodalView& node, const ImVec2& centre,
-              const std::vector<ImVec2>& ends, float reach, const Pen& pen) {
+              const std::vector<ImVec2>& ends, double reach, const Pen& pen) {
   const VcvColors colors;
   const ImU32 line = color(colors.line);
   const float unit = pen.unit;
@@ -42,7 +45,7 @@ void draw_one(ImDrawList& list, const NodalView& node, const ImVec2& centre,
   for (std::size_t k = 0; k < n; ++k)
     list.AddLine(centre, ends[k], node.weights[k] < 0 ? color(colors.negative) : line, 1.3f * unit);
   list.AddPolyline(ends.data(), count, line, ImDrawFlags_Closed, 2 * unit);
-  draw_number(list, centre, node.node, reach, pen.font);
+  draw_number(list, centre, -0.5f, node.node, reach, pen.font);
 }
 
 }  // namespace
@@ -56,7 +59,7 @@ void draw_vcvs(ImDrawList& list, const View& view, std::span<const NodalView> no
     std::vector<ImVec2> ends;
     for (const Vec2& p : vcv_over_star(node)) ends.push_back(pixel(p));
     const double reach = node.physical.mean_length() / view.pixel_size(node.position);
-    draw_one(list, node, pixel(node.position), ends, static_cast<float>(reach), {unit, font});
+    draw_one(list, node, pixel(node.position), ends, reach, {unit, font});
   }
 }
 
@@ -68,7 +71,7 @@ void draw_vcv(ImDrawList& list, const View& view, const NodalView& node, const S
   std::vector<ImVec2> ends;
   for (const Vec2& p : vcv_over_star(node)) ends.push_back(pixel(p));
   const double reach = node.physical.mean_length() / view.pixel_size(plane.origin);
-  draw_one(list, node, pixel({0, 0}), ends, static_cast<float>(reach), {unit, font});
+  draw_one(list, node, pixel({0, 0}), ends, reach, {unit, font});
 }
 
 void draw_node_ring(ImDrawList& list, const ImVec2& at, float radius, float width, ImU32 ink) {
@@ -149,20 +152,6 @@ class SphereSketch {
   StarSketch sketch_;
 };
 
-void draw_number(ImDrawList& list, const SpaceCamera& camera, const VolumeNodalView& node,
-                 ImFont* font) {
-  const std::string text = std::to_string(node.node);
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e6f, 0, text.c_str());
-  const double reach = node.physical.mean_length() / camera.pixel_size(node.position);
-  if (static_cast<double>(size.x) > 1.1 * reach) return;
-  // Below the node, around which there may be a ring.
-  const ImVec2 centre(camera.project(node.position).at);
-  const ImVec2 at(centre.x - size.x / 2, centre.y + 0.8f * size.y);
-  list.AddRectFilled(ImVec2(at.x - 3, at.y - 1), ImVec2(at.x + size.x + 3, at.y + size.y + 1),
-                     color(VcvColors().casing, VcvColors().label_alpha), 3);
-  list.AddText(font, font->FontSize, at, color(VcvColors().line), text.c_str());
-}
-
 }  // namespace
 
 std::vector<Vec3> sphere_over_star(const VolumeNodalView& node) {
@@ -175,7 +164,9 @@ std::vector<Vec3> sphere_over_star(const VolumeNodalView& node) {
 void draw_sphere_vcv(ImDrawList& list, const SpaceCamera& camera, const VolumeNodalView& node,
                      float unit, ImFont* font) {
   SphereSketch(list, camera, node, unit).draw();
-  draw_number(list, camera, node, font);
+  const double reach = node.physical.mean_length() / camera.pixel_size(node.position);
+  // Below the node, around which there may be a ring.
+  draw_number(list, ImVec2(camera.project(node.position).at), 0.8f, node.node, reach, font);
 }
 
 }  // namespace winslow::gui

@@ -219,9 +219,7 @@ void Lens::paint() const {
   if (!inset_) return;
   const std::optional<Camera> camera = part_of(inset_->camera, tile_);
   if (!camera) return;
-  const ScreenVector size = tile_.size();
-  mesh_.draw_magnified(*camera, inset_->camera, static_cast<int>(size.x()),
-                       static_cast<int>(size.y()));
+  mesh_.draw_magnified(*camera, inset_->camera, static_cast<int>(tile_.size().y()));
 }
 
 namespace {
@@ -300,18 +298,6 @@ void draw_sphere(DashedLines& lines, const Vec3& centre, double radius) {
     lines.loop(circle(centre, radius, u, v));
 }
 
-/// Where the circle or the sphere is. None: nothing is selected that it could be about.
-std::optional<Vec3> centre_of(const KeepOutside& keep, const Session& session) {
-  if (keep.centre) return *keep.centre;
-  if (session.in_space()) {
-    const Selection& selection = session.selection();
-    return selection.empty() ? std::nullopt : std::optional(selection.space().centre());
-  }
-  const auto& anchors = session.selection().anchors();
-  if (!anchors) return std::nullopt;
-  return Vec3(anchors->centre.x(), anchors->centre.y(), 0);
-}
-
 }  // namespace
 
 void draw_region(ImDrawList& list, const Session& session, const View& view, const Theme& theme) {
@@ -321,7 +307,9 @@ void draw_region(ImDrawList& list, const Session& session, const View& view, con
   DashedLines lines(list, view, theme);
   if (keep.corner && keep.opposite) space ? draw_box(lines, keep) : draw_rectangle(lines, keep);
   if (keep.radius) {
-    const auto centre = centre_of(keep, session);
+    // None: nothing is selected that it could be about.
+    const auto centre =
+        keep.centre ? std::optional<Vec3>(*keep.centre) : session.selection().own().centre();
     if (!centre) return;
     if (space)
       draw_sphere(lines, *centre, *keep.radius);

@@ -9,10 +9,6 @@ constexpr double arrow_length = 72;
 constexpr double cut_knob_reach = 10, shaft_reach = 7, foot_reach = 13;
 constexpr double seen_sideways = 16;  // an arrow that is shorter points at the viewer
 
-void set(std::array<double, 3>& to, const Vec3& from) {
-  for (Index k = 0; k < 3; ++k) to[at(k)] = from[k];
-}
-
 void edit_cut(const PointerFrame& frame, const CutPlane& cut) {
   if (!held_cut(frame.scene)) return;
   const ViewOptions& before = frame.scene.options;
@@ -64,9 +60,7 @@ CutPlane moved_cut(const CutPlane& cut, const CutHandle& handle, const View& vie
   const double along = arrow.norm() > seen_sideways * handle.scale
                            ? by.dot(arrow) / arrow.squared_norm() * handle.length
                            : -by.y() * view.pixel_size(handle.anchor);
-  CutPlane moved = cut;
-  set(moved.point, Vec3(cut.point.data()) + along * handle.normal);
-  return moved;
+  return cut_through(Vec3(cut.point.data()) + along * handle.normal, Vec3(cut.normal.data()));
 }
 
 /// The arrow's tip stays on a sphere about its foot, on the side of the viewer on which it is.
@@ -80,10 +74,8 @@ CutPlane turned_cut(const CutPlane& cut, const CutHandle& handle, const View& vi
   const double inside = handle.length * handle.length - nearest.squaredNorm();
   const double side = handle.normal.dot(along) > 0 ? 1 : -1;
   const Vec3 tip = inside > 0 ? Vec3(nearest + side * std::sqrt(inside) * along) : nearest;
-  CutPlane turned = cut;
-  if (tip.norm() > 0) set(turned.normal, tip.normalized());
-  set(turned.point, handle.anchor);
-  return turned;
+  return cut_through(handle.anchor,
+                     tip.norm() > 0 ? Vec3(tip.normalized()) : Vec3(cut.normal.data()));
 }
 
 void CutTool::hover(const PointerFrame& frame) {

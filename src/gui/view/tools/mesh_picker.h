@@ -19,7 +19,15 @@ class MeshPicker {
 
   /// Looks at what lies under the mouse, and says which markers and node that are. handled: a
   /// handle is there, which comes first.
-  void look(const PointerFrame& frame, bool handled);
+  void look(const PointerFrame& frame, bool handled) {
+    found_ = {};
+    frame.pointer.over ? find(frame, handled) : forget();
+    if (found_.node != told_node_) frame.actions.emplace_back(action::HoverNode{found_.node});
+    told_node_ = found_.node;
+    if (found_.markers != told_markers_)
+      frame.actions.emplace_back(action::HoverMarkers{found_.markers});
+    told_markers_ = found_.markers;
+  }
   /// The mesh or the view may be another, though the mouse is where it was.
   virtual void look_again() {}
 

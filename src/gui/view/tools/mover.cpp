@@ -7,7 +7,7 @@ namespace winslow::gui {
 namespace {
 
 /// Of what would be moved: where it is on screen now, and its directions.
-std::optional<GizmoPlace> place_of(const ViewportScene& scene) {
+std::optional<GizmoPlace> place_of(const ViewportScene& scene, const View& view) {
   const Session& session = scene.session;
   const Selection& selection = session.selection();
   const bool ready = session.document() && movable_meshes.contains(session.kind());
@@ -16,7 +16,7 @@ std::optional<GizmoPlace> place_of(const ViewportScene& scene) {
     if (selection.empty()) return std::nullopt;
     return GizmoPlace{.pivot = selection.space_pivot(),
                       .frame = GizmoFrame::about(selection.space().axis()),
-                      .in_plane = !session.in_space(),
+                      .in_plane = !view.turns(),
                       .reach = scene.reach};
   }
   // Of a plane mesh nodes are dragged themselves.
@@ -33,7 +33,7 @@ std::optional<GizmoPlace> place_of(const ViewportScene& scene) {
 }  // namespace
 
 std::optional<Gizmo> Mover::gizmo(const ViewportScene& scene, const View& view) const {
-  auto place = place_of(scene);
+  auto place = place_of(scene, view);
   if (!place) return std::nullopt;
   if (dragging_) {
     place->frame = frame_;
@@ -50,8 +50,7 @@ void Mover::hover(const PointerFrame& frame) {
 }
 
 void Mover::take(const Vec3& point, const ScreenPoint& from, const PointerFrame& frame) {
-  const GizmoPlace place{
-      .pivot = point, .turns = false, .in_plane = !frame.scene.session.in_space()};
+  const GizmoPlace place{.pivot = point, .turns = false, .in_plane = !frame.view.turns()};
   const auto shown = make_gizmo(frame.view, place, frame.scene.scale);
   if (shown) begin({Handle::Kind::centre, 0}, *shown, from, frame);
 }

@@ -3,7 +3,6 @@
 #include "gui/view/tools/gizmo.h"
 #include "gui/view/tools/motion_gesture.h"
 #include "gui/view/tools/pointer.h"
-#include "gui/view/tools/typed_motion.h"
 
 namespace winslow::gui {
 

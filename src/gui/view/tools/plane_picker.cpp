@@ -2,6 +2,52 @@
 
 namespace winslow::gui {
 
+NodeIndex::NodeIndex(const Topology& topology, const Coordinates& coordinates) {
+  std::vector<Vec2> places;
+  for (Index node = 0; node < topology.node_count(); ++node) {
+    if (!topology.used(node)) continue;
+    nodes_.push_back(node);
+    places.push_back(coordinates.xy(node));
+  }
+  tree_ = BoxTree<2>(places);
+}
+
+std::optional<Index> NodeIndex::nearest(const Vec2& point, double radius) const {
+  const auto found = tree_.nearest(point, radius);
+  if (!found) return std::nullopt;
+  return nodes_[static_cast<std::size_t>(found->item)];
+}
+
+void NodePicker::collect() {
+  if (auto built = worker_.poll()) built_ = std::move(*built);
+}
+
+void NodePicker::prepare(std::uint64_t shape, const std::shared_ptr<const Topology>& topology,
+                         const Coordinates& coordinates) {
+  collect();
+  if (worker_.busy() || (built_.index && built_.shape == shape)) return;
+  worker_.start([shape, topology, coordinates] {
+    return Built{shape, std::make_shared<const NodeIndex>(*topology, coordinates)};
+  });
+}
+
+std::optional<Index> NodePicker::pick(std::uint64_t shape, const Topology& topology,
+                                      const Coordinates& coordinates, const Vec2& point,
+                                      double radius) {
+  collect();
+  if (built_.index && built_.shape == shape) return built_.index->nearest(point, radius);
+  std::optional<Index> nearest;
+  double best = radius;
+  for (Index node = 0; node < topology.node_count(); ++node) {
+    if (!topology.used(node)) continue;
+    const double distance = (coordinates.xy(node) - point).norm();
+    if (distance > best || (nearest && distance == best)) continue;
+    best = distance;
+    nearest = node;
+  }
+  return nearest;
+}
+
 namespace {
 
 constexpr double snap_radius = 14;  // framebuffer pixels at scale 1
@@ -20,13 +66,8 @@ bool free_to_take(const std::vector<Index>& markers, const ViewportScene& scene)
 bool encloses(std::span<const Index> corners, const Coordinates& x, const Vec2& point) {
   // The crossing rule, which asks nothing of how the element is turned.
   bool inside = false;
-  for (std::size_t k = 0, last = corners.size() - 1; k < corners.size(); last = k++) {
-    const Vec2 a = x.xy(corners[k]);
-    const Vec2 b = x.xy(corners[last]);
-    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
-    if (point.x() < a.x() + (b.x() - a.x()) * (point.y() - a.y()) / (b.y() - a.y()))
-      inside = !inside;
-  }
+  for (std::size_t k = 0, last = corners.size() - 1; k < corners.size(); last = k++)
+    if (right_of<Vec2>(point, x.xy(corners[k]), x.xy(corners[last]))) inside = !inside;
   return inside;
 }
 

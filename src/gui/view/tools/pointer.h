@@ -58,18 +58,4 @@ inline constexpr double drag_threshold = 4;  // what stays within is a click
 inline constexpr double boundary_radius = 7;
 inline constexpr double node_radius = 10;
 
-/// A click of the right button: it pans when it is dragged, and opens a menu where it is not.
-class ContextClick {
- public:
-  /// The place clicked, in the frame in which the button goes up there. scale: of the interface.
-  std::optional<ScreenPoint> update(const PointerState& pointer, double scale);
-
- private:
-  std::optional<ScreenPoint> press_;
-  bool was_down_ = false;
-};
-
-/// Of a point from a line between two others, pixels.
-double distance_to_segment(const ScreenPoint& p, const ScreenPoint& a, const ScreenPoint& b);
-
 }  // namespace winslow::gui

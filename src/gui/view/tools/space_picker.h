@@ -1,9 +1,45 @@
 #pragma once
 
+#include "gui/document/session/session.h"
+#include "gui/render/view.h"
+#include "gui/settings/view_options.h"
+#include "gui/settings/view_state.h"
+#include "gui/view/mesh/volume_view.h"
 #include "gui/view/tools/mesh_picker.h"
-#include "gui/view/tools/pivot_picker.h"
 
 namespace winslow::gui {
+
+/// The face of the boundary that is seen at a place, its corners counter-clockwise for the viewer;
+/// empty: none is.
+std::vector<Index> seen_face(const SeenPlace& seen, const Mesh& mesh);
+/// The corner of that face that is nearest to the place.
+std::optional<Index> nearest_corner(const SeenPlace& seen, const Mesh& mesh);
+
+/// Finds what a click in a volume mesh takes a pivot from.
+class PivotPicker {
+ public:
+  /// What a click there would take; none: no surface is there. Of two nodes it is the one there
+  /// alone, or both once `first` is taken.
+  std::optional<PivotSource> source_at(const SeenPlace& seen, PivotFrom from,
+                                       std::optional<Index> first, const Session& session);
+  /// The row of sharp edges that goes on straight from an edge on both sides: its ends. The edge's
+  /// own ends if it is not sharp.
+  std::vector<Index> straight_row(Index a, Index b, const Session& session);
+
+ private:
+  void find_sharp_edges(const Session& session);
+  Index end_of_row(Index from, Index to, const Coordinates& x) const;
+
+  // Ends of the sharp edges that begin at a node, of the mesh that the session had.
+  std::vector<std::array<Index, 2>> sharp_;  // both ways, ascending
+  std::uint64_t generation_ = 0;
+};
+
+/// The place of a border line of a surface mesh that is seen nearest to a place of the screen, no
+/// more than `reach` pixels away. None where it is hidden, by its marker's eye or by the surface,
+/// and for other meshes.
+std::optional<SeenPlace> seen_border(const ScreenPoint& at, double reach, const VolumeView& picture,
+                                     const View& view, const MarkerLooks& looks);
 
 /// Picks in the picture of a mesh of space: only what is seen can be picked.
 class SpacePicker : public MeshPicker {

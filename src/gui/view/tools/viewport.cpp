@@ -18,6 +18,18 @@ void turn_radius(const PointerFrame& frame, const Vec3& at) {
 
 }  // namespace
 
+std::optional<ScreenPoint> ContextClick::update(const PointerState& pointer, double scale) {
+  const bool pressed = pointer.right && !was_down_;
+  const bool released = !pointer.right && was_down_;
+  was_down_ = pointer.right;
+  // With Control the right button draws the box to zoom to.
+  if (pressed && pointer.over && !pointer.control && !pointer.left) press_ = pointer.position;
+  if (press_ && (pointer.position - *press_).norm() > drag_threshold * scale) press_.reset();
+  if (pointer.left) press_.reset();
+  if (!released) return std::nullopt;
+  return std::exchange(press_, std::nullopt);
+}
+
 void Viewport::update(const PointerState& p, const ViewportScene& scene, View& view,
                       ActionQueue& actions) {
   const PointerFrame frame{p, scene, view, actions};

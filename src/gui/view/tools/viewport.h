@@ -7,6 +7,17 @@
 
 namespace winslow::gui {
 
+/// A click of the right button: it pans when it is dragged, and opens a menu where it is not.
+class ContextClick {
+ public:
+  /// The place clicked, in the frame in which the button goes up there. scale: of the interface.
+  std::optional<ScreenPoint> update(const PointerState& pointer, double scale);
+
+ private:
+  std::optional<ScreenPoint> press_;
+  bool was_down_ = false;
+};
+
 /// Turns the mouse over the mesh into actions: selects, drags bodies, handles, parts of the
 /// boundary and cuts; turns, pans and zooms the view. Knows nothing of OpenGL or of widgets.
 ///

@@ -17,8 +17,8 @@ struct TwoMotions : SessionParts {
   TwoMotions() : SessionParts(ring_mesh()) {
     meshes.push_back(mesh.coordinates());
     for (const double degrees : {10.0, -25.0}) {
-      selection.apply(action::SelectMarkers{{marker("flap")}});
-      motions.apply(action::ApplyMotion{{degrees, Vec2(0, 0), Vec2(0, 0)}});
+      selection.on(action::SelectMarkers{{marker("flap")}});
+      motions.on(action::ApplyMotion{{degrees, Vec2(0, 0), Vec2(0, 0)}});
       finish();
       meshes.push_back(mesh.coordinates());
     }
@@ -30,30 +30,30 @@ struct TwoMotions : SessionParts {
 
 TEST_CASE("undo, redo and a jump show the mesh of that position") {
   TwoMotions parts;
-  parts.history.apply(action::Undo{});
+  parts.history.on(action::Undo{});
   CHECK(parts.mesh.coordinates() == parts.meshes[1]);
-  parts.history.apply(action::Undo{});
-  parts.history.apply(action::Undo{});  // there is no more
+  parts.history.on(action::Undo{});
+  parts.history.on(action::Undo{});  // there is no more
   CHECK(parts.mesh.coordinates() == parts.meshes[0]);
-  parts.history.apply(action::Redo{});
+  parts.history.on(action::Redo{});
   CHECK(parts.mesh.coordinates() == parts.meshes[1]);
-  parts.history.apply(action::GoToStep{2});
+  parts.history.on(action::GoToStep{2});
   CHECK(parts.mesh.coordinates() == parts.meshes[2]);
   CHECK(parts.notice().find("The mesh is as it was after: ") == 0);
-  parts.history.apply(action::GoToStep{0});
+  parts.history.on(action::GoToStep{0});
   CHECK(parts.notice() == "The mesh is as it was opened.");
 }
 
 TEST_CASE("undo takes back the drag under the mouse, or else the command under way") {
   TwoMotions parts;
-  parts.motions.apply(action::BeginDrag{});
-  parts.motions.apply(action::DragTo{{0, Vec2(0, 0), Vec2(0.1, 0)}});
-  parts.history.apply(action::Undo{});
+  parts.motions.on(action::BeginDrag{});
+  parts.motions.on(action::DragTo{{0, Vec2(0, 0), Vec2(0.1, 0)}});
+  parts.history.on(action::Undo{});
   CHECK_FALSE(parts.work.held().body);
   CHECK(parts.done().position() == 2);
-  parts.jobs.apply(action::StepSolver{1});
+  parts.jobs.on(action::StepSolver{1});
   REQUIRE(parts.work.job().active());
-  parts.history.apply(action::Undo{});
+  parts.history.on(action::Undo{});
   CHECK_FALSE(parts.work.job().active());
   CHECK(parts.done().position() == 2);
   CHECK(parts.mesh.coordinates() == parts.meshes[2]);
@@ -61,12 +61,12 @@ TEST_CASE("undo takes back the drag under the mouse, or else the command under w
 
 TEST_CASE("a step is deleted, those after it run again, and the history before can be had back") {
   TwoMotions parts;
-  parts.history.apply(action::DeleteStep{1});
+  parts.history.on(action::DeleteStep{1});
   parts.finish();
   CHECK(parts.done().size() == 2);
   REQUIRE(parts.mesh.document()->edits().kept().size() == 1);
   CHECK(parts.mesh.coordinates() != parts.meshes[2]);
-  parts.history.apply(action::BringBack{0});
+  parts.history.on(action::BringBack{0});
   CHECK(parts.done().size() == 3);
   CHECK(parts.mesh.coordinates() == parts.meshes[2]);
 }
@@ -75,11 +75,11 @@ TEST_CASE("a step is changed while nothing moves, and not otherwise") {
   TwoMotions parts;
   auto changed = std::get<MoveCommand>(parts.done().command(1));
   changed.bodies[0].motion.rotate = 15;
-  parts.jobs.apply(action::StepSolver{1});
-  parts.history.apply(action::EditStep{1, changed});
+  parts.jobs.on(action::StepSolver{1});
+  parts.history.on(action::EditStep{1, changed});
   CHECK(parts.notice().find("Wait until the solver is done") == 0);
-  parts.jobs.apply(action::CancelSolver{});
-  parts.history.apply(action::EditStep{1, changed});
+  parts.jobs.on(action::CancelSolver{});
+  parts.history.on(action::EditStep{1, changed});
   CHECK(parts.jobs.queue().active());
   parts.finish();
   REQUIRE(parts.done().size() == 3);

@@ -10,7 +10,7 @@ TEST_CASE("a command that is done stands in the history; a second one has to wai
   CHECK(parts.mesh.in_motion());
   CHECK_FALSE(parts.jobs.start(SmoothCommand{}, false));
   CHECK(parts.notice().find("The solver is at work on") != std::string::npos);
-  parts.jobs.apply(action::ResumeSolver{});
+  parts.jobs.on(action::ResumeSolver{});
   parts.finish();
   CHECK(parts.done().size() == 2);
   CHECK(parts.notice().find("converged in") != std::string::npos);
@@ -21,8 +21,8 @@ TEST_CASE("settings that cannot be used are said, and nothing begins") {
   SessionParts parts(ring_mesh());
   SmoothOptions bad;
   bad.tolerance = -1;
-  parts.settings.apply(action::EditSmoothOptions{whole(bad)});
-  parts.jobs.apply(action::RunSmooth{});
+  parts.settings.on(action::EditSmoothOptions{whole(bad)});
+  parts.jobs.on(action::RunSmooth{});
   CHECK_FALSE(parts.mesh.in_motion());
   REQUIRE(parts.messages.prompt() != nullptr);
   CHECK(parts.messages.prompt()->kind == Prompt::Kind::error);
@@ -31,9 +31,9 @@ TEST_CASE("settings that cannot be used are said, and nothing begins") {
 TEST_CASE("a cancelled command leaves the mesh and the history as they were") {
   SessionParts parts(tangled_mesh());
   const Coordinates before = parts.mesh.coordinates();
-  parts.jobs.apply(action::StepSolver{2});
+  parts.jobs.on(action::StepSolver{2});
   CHECK(parts.mesh.in_motion());
-  parts.jobs.apply(action::CancelSolver{});
+  parts.jobs.on(action::CancelSolver{});
   CHECK_FALSE(parts.mesh.in_motion());
   CHECK(parts.done().size() == 1);
   CHECK(parts.mesh.coordinates() == before);
@@ -59,15 +59,15 @@ TEST_CASE("the commands of a plan follow each other; a bad one ends it and says 
 
 TEST_CASE("a step that is carried out again leaves the history as it is") {
   SessionParts parts(ring_mesh());
-  parts.jobs.apply(action::Scramble{1});
+  parts.jobs.on(action::Scramble{1});
   parts.finish();
-  parts.jobs.apply(action::RunSmooth{});
+  parts.jobs.on(action::RunSmooth{});
   parts.finish();
   const Coordinates after = parts.mesh.coordinates();
-  parts.jobs.apply(action::RerunStep{2});
+  parts.jobs.on(action::RerunStep{2});
   CHECK(parts.work.job().paused());
   CHECK(parts.done().position() == 1);
-  parts.jobs.apply(action::ResumeSolver{});
+  parts.jobs.on(action::ResumeSolver{});
   parts.finish();
   CHECK(parts.done().size() == 3);
   CHECK(parts.done().position() == 2);
@@ -76,15 +76,15 @@ TEST_CASE("a step that is carried out again leaves the history as it is") {
 
 TEST_CASE("only the direct method is slowed down, and not below standing still") {
   SessionParts parts(ring_mesh());
-  parts.jobs.apply(action::SetPace{-3});
+  parts.jobs.on(action::SetPace{-3});
   CHECK(parts.jobs.pace() == 0);
-  parts.jobs.apply(action::SetPace{4});
+  parts.jobs.on(action::SetPace{4});
   CHECK(parts.jobs.pace() == 4);
 }
 
 TEST_CASE("a recipe's rotation without a pivot is about the point that the studio would take") {
   SessionParts parts(two_body_mesh());
-  parts.selection.apply(action::SelectMarkers{{parts.marker("left")}});
+  parts.selection.on(action::SelectMarkers{{parts.marker("left")}});
   MoveCommand open{{{{"left"}, {}}}, {}, {}};
   open.bodies[0].motion.rotate = 10;
   CommandQueue::Plan plan;

@@ -40,7 +40,7 @@ TEST_CASE("the mesh on screen is the job's while there is one, and the document'
   SessionParts parts(ring_mesh());
   const Coordinates before = parts.mesh.document()->state().mesh.coordinates;
   const auto shape = parts.mesh.shape();
-  parts.selection.apply(action::SelectMarkers{{parts.marker("flap")}});
+  parts.selection.on(action::SelectMarkers{{parts.marker("flap")}});
   REQUIRE(parts.jobs.start(
       parts.settings.move_command(parts.selection.names(), {20, Vec2(0, 0), Vec2(0, 0)}), true));
   CHECK(parts.mesh.in_motion());
@@ -86,7 +86,7 @@ TEST_CASE("a mesh that is shared stays as it is, and is made anew only when node
   parts.mesh.changed();  // to the same nodes
   CHECK(parts.mesh.shared() == given);
   const Coordinates before = given->coordinates;
-  parts.selection.apply(action::SelectMarkers{{parts.marker("flap")}});
+  parts.selection.on(action::SelectMarkers{{parts.marker("flap")}});
   parts.work.job().wait_for_viewer(true);  // however fast the solver is, its meshes are seen
   REQUIRE(parts.jobs.start(
       parts.settings.move_command(parts.selection.names(), {10, Vec2(0, 0), Vec2(0, 0)}), false));
@@ -106,6 +106,40 @@ TEST_CASE("a mesh that is shared stays as it is, and is made anew only when node
   CHECK(given->coordinates == before);
   parts.mesh.close();
   CHECK(parts.mesh.shared() == nullptr);
+}
+
+TEST_CASE("nothing is under way at first") {
+  const NothingOpen nothing;
+  CHECK_FALSE(nothing.work.active());
+  CHECK(nothing.work.coordinates() == nullptr);
+  CHECK(nothing.work.topology() == nullptr);
+  CHECK(nothing.work.base() == nullptr);
+  CHECK(nothing.work.body_drag() == nullptr);
+  CHECK(nothing.work.edited_vcvs() == nullptr);
+}
+
+TEST_CASE("of a job and a drag the drag is what is seen") {
+  SessionParts parts(ring_mesh());
+  REQUIRE(parts.jobs.start(ScrambleCommand{1}, true));
+  CHECK(parts.work.active());
+  CHECK(parts.work.coordinates() == &parts.work.job().coordinates());
+  CHECK(*parts.work.topology() == parts.mesh.document()->topology());
+  const MeshState& opened = parts.mesh.document()->state();
+  parts.work.begin_drag(opened, DragGrip{{"flap"}, {}, {}}, {}, {});
+  REQUIRE(parts.work.body_drag() != nullptr);
+  CHECK(parts.work.coordinates() == &parts.work.body_drag()->coordinates());
+  CHECK(parts.work.base()->mesh.coordinates == opened.mesh.coordinates);
+  parts.jobs.stop();
+  CHECK_FALSE(parts.work.active());
+}
+
+TEST_CASE("VCVs are edited ones only while a job edits them") {
+  SessionParts parts(ring_mesh());
+  parts.work.set_edited_vcvs({parts.mesh.vcv(), {}});
+  CHECK(parts.work.edited_vcvs() == nullptr);
+  REQUIRE(parts.jobs.start(ScrambleCommand{1}, true));
+  CHECK(parts.work.edited_vcvs() == nullptr);
+  parts.jobs.stop();
 }
 
 }  // namespace winslow::gui::test

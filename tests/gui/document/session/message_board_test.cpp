@@ -24,13 +24,13 @@ TEST_CASE("questions wait in the order in which they were asked") {
   board.report_error("Second", "text");
   REQUIRE(board.prompt() != nullptr);
   CHECK(board.prompt()->title == "First?");
-  board.apply(action::DismissPrompt{});
+  board.on(action::DismissPrompt{});
   REQUIRE(board.prompt() != nullptr);
   CHECK(board.prompt()->kind == Prompt::Kind::error);
   CHECK(board.prompt()->choices.size() == 1);
-  board.apply(action::DismissPrompt{});
+  board.on(action::DismissPrompt{});
   CHECK(board.prompt() == nullptr);
-  board.apply(action::DismissPrompt{});
+  board.on(action::DismissPrompt{});
 }
 
 TEST_CASE("the banner says what the mesh calls for until it is put away, for this mesh alone") {
@@ -44,7 +44,7 @@ TEST_CASE("the banner says what the mesh calls for until it is put away, for thi
   const auto worst = static_cast<Index>(std::ranges::min_element(sines) - sines.begin());
   CHECK(board.banner()->worst == MeshItem{MeshItem::Kind::element, worst});
   CHECK_FALSE(board.banner_dismissed());
-  board.apply(action::DismissBanner{});
+  board.on(action::DismissBanner{});
   CHECK_FALSE(board.banner().has_value());
   CHECK(board.banner_dismissed());
   REQUIRE(parts.jobs.start(SmoothCommand{}, false));
@@ -92,10 +92,10 @@ TEST_CASE("a command that spoils the cells at walls is named, in each place of t
   REQUIRE(parts.jobs.start(regular, false));  // nothing changes any more
   parts.finish();
   CHECK_FALSE(board.banner().has_value());
-  parts.history.apply(action::Undo{});
+  parts.history.on(action::Undo{});
   REQUIRE(board.banner().has_value());
   CHECK(board.banner()->text == text);
-  parts.history.apply(action::Undo{});
+  parts.history.on(action::Undo{});
   CHECK_FALSE(board.banner().has_value());
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 /// The parts with the flap selected.
 struct Flap : SessionParts {
-  Flap() : SessionParts(ring_mesh()) { selection.apply(action::SelectMarkers{{marker("flap")}}); }
+  Flap() : SessionParts(ring_mesh()) { selection.on(action::SelectMarkers{{marker("flap")}}); }
   const MoveCommand& last() const {
     return std::get<MoveCommand>(done().command(done().position()));
   }
@@ -23,7 +23,7 @@ struct Flap : SessionParts {
 
 TEST_CASE("a motion by numbers becomes one command of what is selected") {
   Flap parts;
-  parts.motions.apply(action::ApplyMotion{{10, Vec2(0, 0), Vec2(0.1, 0)}});
+  parts.motions.on(action::ApplyMotion{{10, Vec2(0, 0), Vec2(0.1, 0)}});
   parts.finish();
   REQUIRE(parts.done().position() == 1);
   CHECK(parts.last().bodies[0].markers == std::vector<std::string>{"flap"});
@@ -33,22 +33,22 @@ TEST_CASE("a motion by numbers becomes one command of what is selected") {
 
 TEST_CASE("nothing selected, nothing moves") {
   SessionParts parts(ring_mesh());
-  parts.motions.apply(action::ApplyMotion{{10, Vec2(0, 0), Vec2(0, 0)}});
-  parts.motions.apply(action::BeginDrag{});
-  parts.motions.apply(action::ApplyDeformation{});
+  parts.motions.on(action::ApplyMotion{{10, Vec2(0, 0), Vec2(0, 0)}});
+  parts.motions.on(action::BeginDrag{});
+  parts.motions.on(action::ApplyDeformation{});
   CHECK_FALSE(parts.mesh.in_motion());
   CHECK_FALSE(parts.work.held().body);
 }
 
 TEST_CASE("a drag shows the mesh where the mouse is and ends as the command of its whole way") {
   Flap parts;
-  parts.motions.apply(action::BeginDrag{});
+  parts.motions.on(action::BeginDrag{});
   CHECK(parts.work.held().body);
   REQUIRE(parts.work.body_drag() != nullptr);
-  parts.motions.apply(action::DragTo{{0, Vec2(0, 0), Vec2(0.05, 0)}});
-  parts.motions.apply(action::DragTo{{0, Vec2(0, 0), Vec2(0.2, 0)}});
+  parts.motions.on(action::DragTo{{0, Vec2(0, 0), Vec2(0.05, 0)}});
+  parts.motions.on(action::DragTo{{0, Vec2(0, 0), Vec2(0.2, 0)}});
   CHECK(parts.mesh.live_motion()->translate == Vec2(0.2, 0));
-  parts.motions.apply(action::EndDrag{});
+  parts.motions.on(action::EndDrag{});
   CHECK_FALSE(parts.work.held().body);
   parts.finish();
   REQUIRE(parts.done().size() == 2);
@@ -58,9 +58,9 @@ TEST_CASE("a drag shows the mesh where the mouse is and ends as the command of i
 TEST_CASE("a cancelled drag has never been") {
   Flap parts;
   const Coordinates before = parts.mesh.coordinates();
-  parts.motions.apply(action::BeginDrag{});
-  parts.motions.apply(action::DragTo{{0, Vec2(0, 0), Vec2(0.2, 0)}});
-  parts.motions.apply(action::CancelDrag{});
+  parts.motions.on(action::BeginDrag{});
+  parts.motions.on(action::DragTo{{0, Vec2(0, 0), Vec2(0.2, 0)}});
+  parts.motions.on(action::CancelDrag{});
   CHECK_FALSE(parts.mesh.in_motion());
   CHECK(parts.mesh.coordinates() == before);
   CHECK(parts.done().size() == 1);
@@ -69,26 +69,26 @@ TEST_CASE("a cancelled drag has never been") {
 
 TEST_CASE("a drag that goes nowhere leaves no command and what was to be said of the mesh") {
   Flap parts;
-  parts.motions.apply(action::BeginDrag{});
-  parts.motions.apply(action::EndDrag{});
+  parts.motions.on(action::BeginDrag{});
+  parts.motions.on(action::EndDrag{});
   CHECK_FALSE(parts.mesh.in_motion());
   CHECK(parts.done().size() == 1);
 }
 
 TEST_CASE("shape editing begins with a radius of its own and lets go of its arc when it ends") {
   Flap parts;
-  parts.motions.apply(action::SetShapeEdit{true, 0});
+  parts.motions.on(action::SetShapeEdit{true, 0});
   const ShapeEdit& edit = parts.selection.shape_edit();
   CHECK(edit.active);
   CHECK(edit.radius > 0);
-  parts.selection.apply(action::SelectArc{BoundaryArc{0, 1, 3}});
-  parts.motions.apply(action::BeginDrag{true});
+  parts.selection.on(action::SelectArc{BoundaryArc{0, 1, 3}});
+  parts.motions.on(action::BeginDrag{true});
   CHECK(parts.work.held().body);
   // Not under the mouse.
-  parts.motions.apply(action::SetShapeEdit{false, 0});
+  parts.motions.on(action::SetShapeEdit{false, 0});
   CHECK(edit.active);
-  parts.motions.apply(action::CancelDrag{});
-  parts.motions.apply(action::SetShapeEdit{false, 0});
+  parts.motions.on(action::CancelDrag{});
+  parts.motions.on(action::SetShapeEdit{false, 0});
   CHECK_FALSE(edit.active);
   CHECK_FALSE(edit.arc.has_value());
 }
@@ -164,6 +164,60 @@ TEST_CASE("a drag that is let go while the mesh is on its way goes as far as it 
                        rig.bench->view_control().camera().units_per_pixel();
   CHECK(std::stod(text.substr(told.size())) ==
         doctest::Approx(100 * way_of(rig, before) / asked).epsilon(0.01));
+}
+
+namespace {
+
+VcvEdit long_edge(const SessionParts& parts, double length) {
+  const Index node = parts.free_node();
+  std::vector<double> lengths(parts.mesh.topology()->neighbours(node).size(), 1);
+  lengths[0] = length;
+  return {node, {}, {}, lengths};
+}
+
+}  // namespace
+
+TEST_CASE("an edit is shown at once and stands in the history when the mesh is smoothed") {
+  SessionParts parts(ring_mesh());
+  const auto before = parts.mesh.vcv();
+  parts.vcvs.on(action::EditVcvs{{long_edge(parts, 2)}});
+  CHECK(parts.mesh.vcv() != before);
+  parts.finish();
+  REQUIRE(parts.done().position() == 1);
+  CHECK(std::holds_alternative<EditVcvCommand>(parts.done().command(1)));
+}
+
+TEST_CASE("under the mouse the last edit counts; cancelled, none does") {
+  SessionParts parts(ring_mesh());
+  const auto before = parts.mesh.vcv();
+  parts.vcvs.on(action::EditVcvs{{long_edge(parts, 2)}, true});
+  CHECK(parts.work.held().vcv);
+  CHECK(parts.work.job().held());
+  SUBCASE("let go") {
+    parts.vcvs.on(action::EditVcvs{{long_edge(parts, 3)}, true});
+    parts.vcvs.on(action::EndVcvEdit{});
+    parts.finish();
+    REQUIRE(parts.done().size() == 2);
+    const auto& command = std::get<EditVcvCommand>(parts.done().command(1));
+    REQUIRE(command.edits.size() == 1);
+    CHECK(command.edits[0].lengths[0] == 3);
+  }
+  SUBCASE("cancelled") {
+    parts.vcvs.on(action::CancelVcvEdit{});
+    CHECK_FALSE(parts.mesh.in_motion());
+    CHECK(parts.done().size() == 1);
+    CHECK(parts.mesh.vcv() == before);
+    CHECK(parts.notice() == "Edit cancelled");
+  }
+  CHECK_FALSE(parts.work.held().vcv);
+}
+
+TEST_CASE("numbers that are no VCV are said, and nothing begins") {
+  SessionParts parts(ring_mesh());
+  parts.vcvs.on(action::EditVcvs{{long_edge(parts, -1)}});
+  CHECK_FALSE(parts.mesh.in_motion());
+  REQUIRE(parts.messages.prompt() != nullptr);
+  CHECK(parts.messages.prompt()->title == "This is no virtual control volume");
 }
 
 }  // namespace winslow::gui::test

@@ -6,7 +6,6 @@
 #include <memory>
 #include <thread>
 
-#include "gui/document/jobs/quality_monitor.h"
 #include "gui/support/session_parts.h"
 #include "support/meshes.h"
 

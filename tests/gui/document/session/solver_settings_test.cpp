@@ -12,7 +12,7 @@ struct SlidingFlap : SessionParts {
     SmoothOptions options;
     options.slide.markers = {"flap"};
     options.keep_outside.radius = 3;
-    settings.apply(action::EditSmoothOptions{whole(options)});
+    settings.on(action::EditSmoothOptions{whole(options)});
   }
 };
 
@@ -32,7 +32,7 @@ TEST_CASE("what was set for one mesh is forgotten for the next") {
   SlidingFlap parts;
   SmoothOptions options = parts.settings.smooth_options();
   options.tolerance = 1e-3;
-  parts.settings.apply(
+  parts.settings.on(
       action::EditSmoothOptions{difference(parts.settings.smooth_options(), options)});
   parts.settings.forget_mesh();
   CHECK_FALSE(parts.settings.smooth_options().slide.given());
@@ -44,10 +44,10 @@ TEST_CASE("an override of a node is taken back and made again, until a command b
   SlidingFlap parts;
   const Index node = parts.mesh.topology()->markers().nodes(parts.marker("flap")).front();
   const auto revision = parts.mesh.document()->edits().revision();
-  parts.settings.apply(action::OverrideNode{node, NodeOverride::hold});
+  parts.settings.on(action::OverrideNode{node, NodeOverride::hold});
   const auto& held = parts.settings.smooth_options().slide.hold_nodes;
   CHECK(held == std::vector<Index>{node});
-  parts.settings.apply(action::StepOverride{false});
+  parts.settings.on(action::StepOverride{false});
   CHECK(held.empty());
   CHECK_FALSE(parts.settings.overrides().redoable(revision).empty());
   REQUIRE(parts.jobs.start(ScrambleCommand{1}, true));

@@ -173,7 +173,7 @@ TEST_CASE("sphere pins: a pinned VCV is drawn over the mesh at its node, as larg
   studio.move(ScreenPoint(5, 995));
   studio.frames(3);
   const Image plain = studio.bench->pictures().picture();
-  const SpaceView& seen = studio.bench->view_control().space().view();
+  const SpaceCamera& seen = studio.bench->view_control().space().view();
   const Vec3 place = studio.mesh().coordinates.xyz(node);
   const ScreenPoint at = seen.project(place).at;
   const double reach = studio.view(node).physical.mean_length() / seen.pixel_size(place);
@@ -212,7 +212,7 @@ TEST_CASE("sphere pins: they are in pictures of the mesh, too, and follow an edi
   REQUIRE(studio.settle());
   studio.move(ScreenPoint(5, 995));
   studio.frames(2);
-  const SpaceView& seen = studio.bench->view_control().space().view();
+  const SpaceCamera& seen = studio.bench->view_control().space().view();
   const ScreenPoint at = seen.project(studio.mesh().coordinates.xyz(node)).at;
   const ScreenVector box(40, 40);
   CHECK(differing(before, picture(), at - box, at + box) > 50);

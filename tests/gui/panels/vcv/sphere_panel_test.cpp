@@ -37,7 +37,7 @@ TEST_CASE("sphere inspector: a click on a node of a cut inspects it while the ta
   });
   studio.key(GLFW_KEY_1);
   studio.frames(2);
-  const SpaceView& seen = studio.bench->view_control().space().view();
+  const SpaceCamera& seen = studio.bench->view_control().space().view();
   const Topology& topology = *studio.mesh().topology;
   Index found = -1;
   for (const Index node : topology.interior_nodes()) {
@@ -70,7 +70,7 @@ TEST_CASE("sphere inspector: Alt and a click open the tab from another one") {
   });
   studio.key(GLFW_KEY_1);
   studio.frames(2);
-  const SpaceView& seen = studio.bench->view_control().space().view();
+  const SpaceCamera& seen = studio.bench->view_control().space().view();
   for (const Index node : studio.mesh().topology->interior_nodes()) {
     const ScreenPoint at = seen.project(studio.mesh().coordinates.xyz(node)).at;
     studio.move(at);

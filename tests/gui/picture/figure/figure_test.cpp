@@ -7,7 +7,7 @@
 #include "core/command/command.h"
 #include "core/error.h"
 #include "gui/picture/figure/page.h"
-#include "gui/picture/figure/write_figure.h"
+#include "gui/picture/figure/vector_figure.h"
 #include "gui/support/rig.h"
 #include "gui/view/overlays/vcv_overlay.h"
 

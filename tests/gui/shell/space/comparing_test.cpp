@@ -81,12 +81,12 @@ TEST_CASE("before and after side by side: the view is halved, and both are drawn
   rig.turn_cavity(40);
   rig.key(keys::f);
   const ScreenVector full = rig.space().view().viewport().size();
-  const ViewDirection direction = rig.space().camera().direction();
+  const ViewDirection direction = rig.space().view().direction();
   rig.key(GLFW_KEY_G, {keys::shift});
   REQUIRE(rig.settle());
   CHECK(rig.options().comparison == Comparison::split);
   CHECK(rig.space().view().viewport().size().x() == doctest::Approx(full.x() / 2).epsilon(0.01));
-  CHECK(rig.space().camera().direction() == direction);
+  CHECK(rig.space().view().direction() == direction);
   CHECK(rig.visible("splitter/compare"));
   rig.key(keys::f);
   const PictureSpec spec = without_panels();
@@ -130,10 +130,10 @@ TEST_CASE("a drag over the mesh before turns both, and picks nothing") {
   rig.move(left);
   rig.frames();
   CHECK_FALSE(rig.state().seen.has_value());
-  const ViewDirection before = rig.space().camera().direction();
+  const ViewDirection before = rig.space().view().direction();
   rig.drag(left, left + ScreenVector(60, 10));
   rig.release();
-  CHECK(rig.space().camera().direction().azimuth < before.azimuth);
+  CHECK(rig.space().view().direction().azimuth < before.azimuth);
   rig.click(left);
   CHECK(rig.session().selection().empty());
   // On the other side the mesh is picked as ever.

@@ -6,7 +6,7 @@
 #include "gui/demos/demo.h"
 #include "gui/files/assets.h"
 #include "gui/files/thumbnails.h"
-#include "gui/picture/figure/write_figure.h"
+#include "gui/picture/figure/vector_figure.h"
 #include "gui/picture/space/scene_figure.h"
 #include "gui/picture/space/volume_picture.h"
 #include "gui/support/pixels.h"
@@ -51,7 +51,7 @@ SeenPolygon square(double x, double y, double side, double z) {
 
 TEST_CASE("a film of a turn has as many frames as it says, each from elsewhere") {
   LookingRig rig;
-  const ViewDirection before = rig.space().camera().direction();
+  const ViewDirection before = rig.space().view().direction();
   rig.bench->apply(action::SetRecordingSpec{small_turn(4)});
   rig.bench->apply(action::StartRecording{rig.folder / "turn", {}, true});
   REQUIRE(rig.settle());
@@ -64,7 +64,7 @@ TEST_CASE("a film of a turn has as many frames as it says, each from elsewhere")
   CHECK(first.width == 240);
   CHECK(differing(first, third, {0, 0}, {240, 180}) > 500);
   // The user's own view stays.
-  CHECK(rig.space().camera().direction() == before);
+  CHECK(rig.space().view().direction() == before);
   // The first frame is what is seen now.
   PictureSpec spec = small_turn(4).picture;
   CHECK(differing(first, rig.bench->pictures().picture(spec), {0, 0}, {240, 180}) == 0);
@@ -206,11 +206,11 @@ TEST_CASE("a step of a demo shows a volume mesh as it says") {
   const ViewOptions& view = rig.bench->view_control().options();
   CHECK(view.space.cuts == step.space->cuts);
   CHECK(view.space.up == 1);
-  CHECK(rig.bench->view_control().space().camera().direction().azimuth ==
+  CHECK(rig.bench->view_control().space().view().direction().azimuth ==
         doctest::Approx(step.space->azimuth));
   rig.click("demo/next");
   rig.frames();
-  const double near = rig.bench->view_control().space().camera().units_per_pixel();
+  const double near = rig.bench->view_control().space().view().units_per_pixel();
   rig.click("demo/back");
   rig.frames();
   CHECK(rig.session().selection().contains(rig.marker("flap")));

@@ -36,19 +36,19 @@ TEST_CASE("turned freely, the mesh ends up on its side; as on a turntable, never
   rig.release();
   rig.drag(from, from + ScreenVector(90, -40));
   rig.release();
-  CHECK(std::abs(rig.space().camera().right().z()) > 0.02);
+  CHECK(std::abs(rig.space().view().right().z()) > 0.02);
   // Esc takes it back.
-  const Vec3 right = rig.space().camera().right();
+  const Vec3 right = rig.space().view().right();
   rig.drag(from, from + ScreenVector(-50, 60));
   rig.key(keys::escape);
   rig.release();
-  CHECK((rig.space().camera().right() - right).norm() < 1e-9);
+  CHECK((rig.space().view().right() - right).norm() < 1e-9);
   rig.key(GLFW_KEY_T);
   rig.frames();
-  CHECK(std::abs(rig.space().camera().right().z()) < 1e-12);
+  CHECK(std::abs(rig.space().view().right().z()) < 1e-12);
   rig.drag(from, from + ScreenVector(90, -40));
   rig.release();
-  CHECK(std::abs(rig.space().camera().right().z()) < 1e-12);
+  CHECK(std::abs(rig.space().view().right().z()) < 1e-12);
 }
 
 TEST_CASE("turned freely, what lies under the mouse stays there") {
@@ -78,7 +78,7 @@ TEST_CASE("the view of a mesh, with its cuts, is there again in the next session
     rig.wheel(rig.middle(), 3);
     rig.key(GLFW_KEY_C);
     set_view(rig, [](ViewOptions& view) { view.space.peel.to = 7; });
-    camera = rig.space().camera();
+    camera = rig.space().view();
     cuts = rig.options().space.cuts;
     mesh = kept.path() / "mesh.su2";
     std::filesystem::copy_file(rig.folder / "mesh.su2", mesh);
@@ -88,12 +88,12 @@ TEST_CASE("the view of a mesh, with its cuts, is there again in the next session
     rig.drag(rig.middle(), rig.middle() + ScreenVector(-40, 20));
     rig.release();
     rig.frames();
-    camera = rig.space().camera();
+    camera = rig.space().view();
   }
   Rig next(1100, 700, profile.path());
   next.bench->apply(action::OpenMesh{mesh, true});
   REQUIRE(next.settle());
-  const SpaceCamera& again = next.bench->view_control().space().camera();
+  const SpaceCamera& again = next.bench->view_control().space().view();
   CHECK((again.back() - camera.back()).norm() < 1e-9);
   CHECK((again.right() - camera.right()).norm() < 1e-9);
   CHECK((again.centre() - camera.centre()).norm() < 1e-9);

@@ -5,7 +5,7 @@
 #include "core/mesh/surface_faces.h"
 #include "gui/support/space_rig.h"
 #include "gui/view/navigation/go_to.h"
-#include "gui/view/overlays/ruler_overlay.h"
+#include "gui/view/overlays/tool_overlay.h"
 
 namespace winslow::gui::test {
 
@@ -46,7 +46,7 @@ TEST_CASE("the ruler measures in space by clicks that snap to nodes") {
   REQUIRE(rig.state().ruler);
   CHECK(rig.visible("mode"));
   const ScreenVector beside(3, 2);
-  const double y = rig.space().camera().back().y() > 0 ? 1 : 0;
+  const double y = rig.space().view().back().y() > 0 ? 1 : 0;
   rig.click(rig.at({1.0 / 6, y, 1.0 / 6}) + beside);
   rig.click(rig.at({5.0 / 6, y, 1.0 / 6}) + beside);
   const auto& points = rig.bench->pane().ruler().points();
@@ -79,7 +79,7 @@ TEST_CASE("the ruler says by how much two faces turn from one another") {
   rig.key(GLFW_KEY_7);
   rig.key(keys::f);
   rig.key(keys::r);
-  const Vec3 back = rig.space().camera().back();
+  const Vec3 back = rig.space().view().back();
   const auto side = [&](Index axis) { return back[axis] > 0 ? 1.0 : 0.0; };
   rig.input.key(keys::shift, true);  // the points themselves
   rig.click(rig.at({side(0), 0.45, 0.55}));
@@ -197,7 +197,7 @@ TEST_CASE("a right click on a surface says which face is there, and describes it
   rig.show_outside();
   rig.key(GLFW_KEY_7);
   rig.key(keys::f);
-  const double x = rig.space().camera().back().x() > 0 ? 1 : 0;
+  const double x = rig.space().view().back().x() > 0 ? 1 : 0;
   const ScreenPoint at = rig.at({x, 0.45, 0.55});
   rig.move(at);
   rig.frames();

@@ -351,7 +351,7 @@ TEST_CASE("VCVs of a surface are pinned over it where they are seen, and applied
   CHECK(rig.visible("pin/" + std::to_string(node)));
   CHECK(differing(bare, rig.bench->pictures().picture(), at - around, at + around) > 200);
   // From the other side it is hidden.
-  const Vec3 back = -rig.space().camera().back();
+  const Vec3 back = -rig.space().view().back();
   rig.bench->apply(action::PinNodes{{node}, false});
   Index behind = node;
   const Coordinates& x = rig.mesh().coordinates;

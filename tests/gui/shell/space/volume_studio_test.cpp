@@ -76,7 +76,7 @@ TEST_CASE("Going from a volume mesh to a plane one and back keeps the look at ea
   SpaceStudio studio;
   studio.key(GLFW_KEY_5);
   studio.key(GLFW_KEY_C);
-  const SpaceCamera camera = studio.space().camera();
+  const SpaceCamera camera = studio.space().view();
   const auto cuts = studio.options().space.cuts;
   REQUIRE(cuts.size() == 2);
   studio.open(two_body_mesh(), "plane.su2");
@@ -86,8 +86,8 @@ TEST_CASE("Going from a volume mesh to a plane one and back keeps the look at ea
   studio.bench->apply(action::OpenMesh{studio.folder / "mesh.su2"});
   REQUIRE(studio.settle());
   CHECK(studio.session().in_space());
-  CHECK(studio.space().camera().direction() == camera.direction());
-  CHECK((studio.space().camera().centre() - camera.centre()).norm() < 1e-12);
+  CHECK(studio.space().view().direction() == camera.direction());
+  CHECK((studio.space().view().centre() - camera.centre()).norm() < 1e-12);
   CHECK(studio.options().space.cuts == cuts);
 }
 
@@ -98,18 +98,18 @@ TEST_CASE("A drag turns the view about what lies under the mouse, which stays wh
   REQUIRE(studio.state().seen.has_value());
   const Vec3 point = studio.state().seen->point;
   const ScreenPoint from = studio.at(point);
-  const ViewDirection before = studio.space().camera().direction();
+  const ViewDirection before = studio.space().view().direction();
   studio.drag(from, from + ScreenVector(60, 25));
   CHECK((studio.at(point) - from).norm() < 1e-6);
-  CHECK(studio.space().camera().direction().azimuth < before.azimuth);
-  CHECK(studio.space().camera().direction().elevation > before.elevation);
+  CHECK(studio.space().view().direction().azimuth < before.azimuth);
+  CHECK(studio.space().view().direction().elevation > before.elevation);
   studio.release();
   // Esc takes a turn back.
-  const ViewDirection turned = studio.space().camera().direction();
+  const ViewDirection turned = studio.space().view().direction();
   studio.drag(from, from + ScreenVector(-80, 0));
   studio.key(keys::escape);
   studio.release();
-  CHECK(studio.space().camera().direction() == turned);
+  CHECK(studio.space().view().direction() == turned);
 }
 
 TEST_CASE("The middle button and Shift pan, the wheel zooms at what is under the mouse") {
@@ -123,20 +123,20 @@ TEST_CASE("The middle button and Shift pan, the wheel zooms at what is under the
   studio.release(MouseButton::middle);
   CHECK((studio.at(point) - (from + ScreenVector(50, 10))).norm() < 1e-6);
   const ScreenPoint there = studio.at(point);
-  const double unit = studio.space().camera().units_per_pixel();
+  const double unit = studio.space().view().units_per_pixel();
   for (const bool perspective : {false, true}) {
     set_view(studio, [&](ViewOptions& view) { view.space.perspective = perspective; });
     const ScreenPoint now = studio.at(point);
     studio.wheel(now, 3);
     CHECK((studio.at(point) - now).norm() < 0.5);
   }
-  CHECK(studio.space().camera().units_per_pixel() < 0.5 * unit);
+  CHECK(studio.space().view().units_per_pixel() < 0.5 * unit);
   CHECK((studio.at(point) - there).norm() < 60);
 }
 
 TEST_CASE("Keys look along the axes and from aslant, and back") {
   SpaceStudio studio;
-  const ViewDirection first = studio.space().camera().direction();
+  const ViewDirection first = studio.space().view().direction();
   const std::array<std::pair<int, Vec3>, 6> axes{{{GLFW_KEY_1, Vec3(1, 0, 0)},
                                                   {GLFW_KEY_2, Vec3(-1, 0, 0)},
                                                   {GLFW_KEY_3, Vec3(0, 1, 0)},
@@ -145,24 +145,24 @@ TEST_CASE("Keys look along the axes and from aslant, and back") {
                                                   {GLFW_KEY_6, Vec3(0, 0, -1)}}};
   for (const auto& [key, viewer] : axes) {
     studio.key(key);
-    CHECK((studio.space().camera().back() - viewer).norm() < 1e-12);
+    CHECK((studio.space().view().back() - viewer).norm() < 1e-12);
   }
   studio.key(GLFW_KEY_7);
-  CHECK(studio.space().camera().back().minCoeff() < -0.5);
+  CHECK(studio.space().view().back().minCoeff() < -0.5);
   for (int k = 0; k < 7; ++k) studio.key(GLFW_KEY_LEFT, {keys::alt});
-  CHECK(studio.space().camera().direction() == first);
+  CHECK(studio.space().view().direction() == first);
 }
 
 TEST_CASE("A box that is drawn fills the view") {
   SpaceStudio studio;
   studio.key(keys::z);
   const ScreenPoint from = studio.middle() + ScreenVector(-50, -40);
-  const double unit = studio.space().camera().units_per_pixel();
+  const double unit = studio.space().view().units_per_pixel();
   studio.drag(from, from + ScreenVector(100, 80));
   studio.release();
   const ScreenVector size = studio.space().view().viewport().size();
   const double factor = std::min(size.x() / 100, size.y() / 80);
-  CHECK(studio.space().camera().units_per_pixel() == doctest::Approx(unit / factor));
+  CHECK(studio.space().view().units_per_pixel() == doctest::Approx(unit / factor));
   CHECK_FALSE(studio.state().box_zoom_armed);
 }
 

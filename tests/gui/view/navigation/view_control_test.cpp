@@ -9,7 +9,7 @@
 #include "gui/support/meshes.h"
 #include "gui/support/pixels.h"
 #include "gui/support/rig.h"
-#include "gui/view/navigation/view_history.h"
+#include "gui/view/navigation/navigator.h"
 
 namespace winslow::gui::test {
 
@@ -209,11 +209,11 @@ TEST_CASE("Alt+Left goes back through the views that rested, Alt+Right forward")
 }
 
 TEST_CASE("a history of views forgets what was ahead when another view is taken") {
-  PlaneView view;
-  view.camera().set_viewport(0, 0, 100, 100);
+  Camera view;
+  view.set_viewport(0, 0, 100, 100);
   ViewHistory history;
   const auto look = [&](double x) {
-    view.camera().look_at(Vec2(x, 0), 0.01);
+    view.look_at(Vec2(x, 0), 0.01);
     history.observe(view.looked_at(), false, 0.1);
     history.observe(view.looked_at(), false, 1);
   };
@@ -222,14 +222,14 @@ TEST_CASE("a history of views forgets what was ahead when another view is taken"
   look(2);
   look(3);
   view.look_at(history.back(view.looked_at()).value());
-  CHECK(view.camera().centre().x() == 2);
+  CHECK(view.centre().x() == 2);
   CHECK(history.can_go_forward());
   look(5);
   CHECK_FALSE(history.can_go_forward());
   view.look_at(history.back(view.looked_at()).value());
-  CHECK(view.camera().centre().x() == 2);
+  CHECK(view.centre().x() == 2);
   // While the mouse holds the view, it does not count however long it rests.
-  view.camera().look_at(Vec2(9, 0), 0.01);
+  view.look_at(Vec2(9, 0), 0.01);
   history.observe(view.looked_at(), true, 5);
   history.observe(view.looked_at(), true, 5);
   CHECK(history.can_go_forward());

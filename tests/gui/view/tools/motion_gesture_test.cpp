@@ -8,11 +8,11 @@ namespace winslow::gui {
 
 namespace {
 
-PlaneView plane() {
+Camera plane() {
   Camera c;
   c.set_viewport(0, 0, 800, 600);
   c.look_at(Vec2(0, 0), 0.01);
-  return PlaneView(c);
+  return c;
 }
 
 /// A drag of a handle of the plane's gizmo, whose pivot is the origin.
@@ -25,9 +25,9 @@ MotionGesture begun(const Handle& handle, const ScreenPoint& from, const View& v
 }  // namespace
 
 TEST_CASE("the grid is a round number of units, 8 to 20 pixels wide, at any zoom") {
-  PlaneView c = plane();
+  Camera c = plane();
   for (double zoom = 1e-6; zoom < 1e6; zoom *= 1.7) {
-    c.camera().look_at(Vec2(0, 0), zoom);
+    c.look_at(Vec2(0, 0), zoom);
     const double step = MotionGesture::grid_step(c, Vec3(0, 0, 0));
     CHECK(step >= 8 * zoom);
     CHECK(step <= 20 * zoom * (1 + 1e-12));
@@ -38,7 +38,7 @@ TEST_CASE("the grid is a round number of units, 8 to 20 pixels wide, at any zoom
 }
 
 TEST_CASE("fine motion adds up with coarse, and does not jump when Shift goes") {
-  const PlaneView c = plane();
+  const Camera c = plane();
   MotionGesture drag = begun({Handle::Kind::centre, 0}, ScreenPoint(100, 100), c);
   CHECK(drag.follow(ScreenPoint(200, 100), {}, c));
   CHECK(drag.translate().x() == doctest::Approx(1));
@@ -50,7 +50,7 @@ TEST_CASE("fine motion adds up with coarse, and does not jump when Shift goes") 
 }
 
 TEST_CASE("a lock keeps the other axis at nothing and forgets nothing") {
-  const PlaneView c = plane();
+  const Camera c = plane();
   MotionGesture drag = begun({Handle::Kind::arrow, 1}, ScreenPoint(100, 100), c);
   drag.follow(ScreenPoint(150, 70), {}, c);
   CHECK(drag.translate() == Vec3(0, drag.translate().y(), 0));
@@ -64,7 +64,7 @@ TEST_CASE("a lock keeps the other axis at nothing and forgets nothing") {
 }
 
 TEST_CASE("turns are counted past half a turn and snapped in total") {
-  const PlaneView c = plane();
+  const Camera c = plane();
   const auto at = [&](double degrees) -> ScreenPoint {
     const double t = radians(degrees);
     return c.to_screen(Vec2(std::cos(t), std::sin(t)));
@@ -78,7 +78,7 @@ TEST_CASE("turns are counted past half a turn and snapped in total") {
 }
 
 TEST_CASE("a view that is zoomed during a drag leaves the motion as it is") {
-  PlaneView c = plane();
+  Camera c = plane();
   MotionGesture drag = begun({Handle::Kind::centre, 0}, ScreenPoint(100, 100), c);
   drag.follow(ScreenPoint(150, 80), {}, c);
   const Vec3 before = drag.translate();
@@ -90,7 +90,7 @@ TEST_CASE("a view that is zoomed during a drag leaves the motion as it is") {
 }
 
 TEST_CASE("in the plane Z keeps to nothing, and a turn has no other axis") {
-  const PlaneView c = plane();
+  const Camera c = plane();
   MotionGesture drag = begun({Handle::Kind::centre, 0}, ScreenPoint(100, 100), c);
   drag.toggle_axis(2, c);
   CHECK(drag.directions().size() == 2);

@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "gui/picture/picture.h"
 #include "gui/support/meshes.h"
-#include "gui/view/tools/node_index.h"
+#include "gui/view/tools/plane_picker.h"
 #include "gui/view/tools/vcv_drag.h"
 #include "support/random.h"
 

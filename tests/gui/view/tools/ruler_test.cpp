@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "gui/support/rig.h"
-#include "gui/view/overlays/ruler_overlay.h"
+#include "gui/view/overlays/tool_overlay.h"
 
 namespace winslow::gui::test {
 

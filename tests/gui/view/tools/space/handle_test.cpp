@@ -123,7 +123,7 @@ TEST_CASE("A square moves in its plane, the disc across the view") {
   const ScreenPoint centre = studio.handle("centre");
   studio.drag(centre, centre + ScreenVector(-20, 15));
   const Vec3 way = studio.live().translate;
-  CHECK(std::abs(way.dot(studio.view().camera().back())) < 1e-12);
+  CHECK(std::abs(way.dot(studio.view().back())) < 1e-12);
   CHECK(pixels(studio, way) == doctest::Approx(25));
   CHECK((studio.handle("centre") - centre - ScreenVector(-20, 15)).norm() < 1e-6);
   studio.release();
@@ -200,7 +200,7 @@ TEST_CASE("The screen ring turns about the line of sight") {
   studio.drag(from, from);
   go_around(studio, centre, from, 20, 5);
   CHECK(studio.live().rotate == doctest::Approx(20).epsilon(1e-3));
-  CHECK((*studio.live().axis - studio.view().camera().back()).norm() < 1e-9);
+  CHECK((*studio.live().axis - studio.view().back()).norm() < 1e-9);
   studio.release();
   REQUIRE(studio.settle());
   CHECK(studio.document().history().position() == 1);
@@ -234,7 +234,7 @@ TEST_CASE("Esc takes a drag back to the bit, Enter ends it with the button down"
 
 TEST_CASE("Numbers typed in a drag count in place of the mouse: 30 Enter, x Tab y Tab z") {
   MovingStudio studio;
-  const ViewDirection looked = studio.view().camera().direction();
+  const ViewDirection looked = studio.view().direction();
   const ScreenPoint ring = studio.handle("ring/y");
   studio.drag(ring, ring + ScreenVector(6, 6));
   studio.key(GLFW_KEY_3);  // as a keyboard does: the key, and its character
@@ -243,7 +243,7 @@ TEST_CASE("Numbers typed in a drag count in place of the mouse: 30 Enter, x Tab 
   studio.type("0");
   CHECK(studio.live().rotate == 30);
   CHECK(studio.live().axis == Vec3(0, 1, 0));
-  CHECK(studio.view().camera().direction() == looked);  // 3 looks from +y otherwise
+  CHECK(studio.view().direction() == looked);  // 3 looks from +y otherwise
   studio.key(keys::enter);
   studio.release();
   REQUIRE(studio.settle());

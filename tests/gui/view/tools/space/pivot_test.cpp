@@ -152,11 +152,11 @@ TEST_CASE(
   CHECK_FALSE(studio.session().selection().empty());
   // A drag while one picks turns the view, and picks nothing.
   studio.click("motion/pick_face");
-  const ViewDirection before = studio.view().camera().direction();
+  const ViewDirection before = studio.view().direction();
   const ScreenPoint place = studio.at({0.45, 1.0 / 3, 0.42});
   studio.drag(place, place + ScreenVector(40, 0));
   studio.release();
-  CHECK(studio.view().camera().direction() != before);
+  CHECK(studio.view().direction() != before);
   CHECK(studio.session().selection().space().pick().has_value());
   CHECK(studio.pivot().from == PivotFrom::centre);
 }

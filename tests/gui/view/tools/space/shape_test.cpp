@@ -57,9 +57,9 @@ TEST_CASE(
   studio.move(from + ScreenVector(2, 1));
   studio.frames();
   CHECK(studio.bench->pane().viewport().picker().held() == std::vector<Index>{node});
-  const ViewDirection looked = studio.view().camera().direction();
+  const ViewDirection looked = studio.view().direction();
   studio.drag(from, from + ScreenVector(14, -10));
-  CHECK(studio.view().camera().direction() == looked);
+  CHECK(studio.view().direction() == looked);
   REQUIRE(studio.patch().has_value());
   CHECK(studio.patch()->nodes == std::vector<Index>{node});
   studio.follow();
@@ -70,8 +70,8 @@ TEST_CASE(
   CHECK(studio.last_deform().markers == std::vector<std::string>{"cavity"});
   const Vec3 pull = studio.moved(node);
   CHECK(pull.norm() > 0.01);
-  CHECK(std::abs(pull.dot(studio.view().camera().back())) < 1e-9);
-  CHECK(pull.norm() / studio.view().camera().units_per_pixel() ==
+  CHECK(std::abs(pull.dot(studio.view().back())) < 1e-9);
+  CHECK(pull.norm() / studio.view().units_per_pixel() ==
         doctest::Approx(std::hypot(14, 10)).epsilon(0.05));
   // A neighbour a sixth away takes the share of that distance, one beyond the radius none.
   const Index beside = studio.node_at(middle + Vec3(1.0 / 6, 0, 0));
@@ -135,9 +135,9 @@ TEST_CASE(
   const ScreenPoint from = studio.at(middle);
   studio.drag(from, from + ScreenVector(8, -6));
   const std::size_t few = studio.session().mesh().work().body_drag()->grip().nodes.size();
-  const double unit = studio.view().camera().units_per_pixel();
+  const double unit = studio.view().units_per_pixel();
   studio.wheel(from + ScreenVector(8, -6), 5);
-  CHECK(studio.view().camera().units_per_pixel() == unit);
+  CHECK(studio.view().units_per_pixel() == unit);
   CHECK(studio.session().selection().shape_edit().radius > 0.2);
   CHECK(studio.session().mesh().work().body_drag()->grip().nodes.size() > few);
   CHECK(studio.session().dragging());

@@ -1,4 +1,4 @@
-#include "gui/document/actions/dispatch.h"
+#include "gui/document/actions/document_actions.h"
 
 #include <doctest/doctest.h>
 

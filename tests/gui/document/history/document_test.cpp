@@ -1,4 +1,4 @@
-#include "gui/document/history/document_files.h"
+#include "gui/document/history/document.h"
 
 #include <doctest/doctest.h>
 
