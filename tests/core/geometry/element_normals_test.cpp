@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/geometry/sliding_geometry.h"
+#include "core/geometry/sliding_boundary.h"
 #include "support/surface_meshes.h"
 
 namespace winslow::test {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <random>
 
-#include "core/geometry/surface/recognised_surface.h"
 #include "core/geometry/surface/surface.h"
 #include "core/geometry/surface/surfaces.h"
 
