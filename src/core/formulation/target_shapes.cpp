@@ -3,7 +3,7 @@
 #include "core/error.h"
 #include "core/formulation/stretch_field.h"
 #include "core/formulation/target_metric.h"
-#include "core/quality/corner.h"
+#include "core/quality/metric.h"
 
 namespace winslow {
 
