@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/output/terminal.h"
-#include "core/layers/layer_measures.h"
+#include "core/layers/layer_stack.h"
 #include "core/mesh/coordinates.h"
 
 namespace winslow::app {

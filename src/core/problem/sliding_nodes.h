@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/geometry/element_normals.h"
-#include "core/geometry/sliding_geometry.h"
+#include "core/geometry/sliding_boundary.h"
 #include "core/mesh/coordinates.h"
 
 namespace winslow {

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "core/geometry/curve_row.h"
+#include "core/geometry/curve.h"
 #include "core/geometry/periodic_pairs.h"
 #include "core/types.h"
 

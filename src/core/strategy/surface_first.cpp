@@ -1,7 +1,7 @@
 #include "core/strategy/surface_first.h"
 
 #include "core/error.h"
-#include "core/geometry/space_boundary.h"
+#include "core/geometry/boundary_kinds.h"
 #include "core/geometry/surface_features.h"
 #include "core/quality/quality.h"
 #include "core/strategy/run_sequence.h"

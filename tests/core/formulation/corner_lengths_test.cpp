@@ -9,7 +9,7 @@
 #include "core/formulation/target_shapes.h"
 #include "core/formulation/variational_winslow.h"
 #include "core/formulation/volume_targets.h"
-#include "core/mesh/corner_tetrahedra.h"
+#include "core/mesh/element_type.h"
 #include "support/meshes.h"
 #include "support/random.h"
 #include "support/space_meshes.h"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/layers/layer_detection.h"
-#include "core/layers/layer_fit.h"
+#include "core/layers/layer_plan.h"
 
 namespace winslow::gui {
 
