@@ -14,7 +14,7 @@
 #include "core/inspect/nodal_view.h"
 #include "core/job/solver_thread.h"
 #include "core/layers/layer_detection.h"
-#include "core/layers/layer_measures.h"
+#include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/topology.h"
 #include "core/problem/smoothing_problem.h"

@@ -24,33 +24,41 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// An option or an argument that makes no sense (unknown marker, damping outside (0, 1], ...).
+/// An invalid option or argument (unknown marker, damping outside (0, 1], ...).
 class UsageError : public Error {
  public:
   using Error::Error;
 };
 
-/// A file that cannot be read, or whose content is wrong. what() reads
+/// A file that cannot be read or has wrong content. what() is
 /// "FILE:LINE: found ..., expected ..." (or "FILE: byte N: ...").
 class InputError : public Error {
  public:
   using Error::Error;
 };
 
-/// A file that cannot be written. The target is left as it was.
+/// A file that cannot be written. The target is unchanged.
 class OutputError : public Error {
  public:
   using Error::Error;
 };
 
-/// What part of a mesh a MeshError is about.
+/// "a, b, c": the texts of the items of a list, for messages.
+template <class List, class TextOf>
+std::string listed(const List& list, const TextOf& text_of) {
+  std::string text;
+  for (const auto& item : list) text += (text.empty() ? "" : ", ") + std::string(text_of(item));
+  return text;
+}
+
+/// The part of a mesh that a MeshError is about.
 enum class MeshEntity { mesh, node, element, marker_face };
 
-/// Arrays that do not form a mesh (non-manifold edge, id out of range, ...). Names the entity, so
-/// that a reader can add the line of the file it came from.
+/// Arrays that are no mesh (non-manifold edge, id out of range, ...). It names the entity, so that
+/// a reader can add the line of the file.
 class MeshError : public Error {
  public:
-  /// entity, index: the offender; for marker_face, marker is its marker and index the face in it.
+  /// entity, index: the faulty one. For marker_face, marker is the marker and index the face in it.
   MeshError(MeshEntity entity, Index index, const std::string& message, Index marker = -1)
       : Error(message), entity_(entity), index_(index), marker_(marker) {}
   MeshEntity entity() const { return entity_; }
@@ -63,20 +71,20 @@ class MeshError : public Error {
   Index marker_;
 };
 
-/// The numbers went wrong (singular matrix, a NaN in the coordinates).
+/// A numerical failure (singular matrix, NaN in the coordinates).
 class NumericError : public Error {
  public:
   using Error::Error;
 };
 
-/// A symmetric matrix that a solver needs to be positive definite is not: Cholesky met a pivot that
-/// is not positive, or conjugate gradients a direction of negative curvature.
+/// A symmetric matrix that should be positive definite is not: a pivot of Cholesky's method is not
+/// positive, or conjugate gradients found a direction of negative curvature.
 class NotPositiveDefinite : public NumericError {
  public:
   using NumericError::NumericError;
 };
 
-/// The user cancelled; nothing was changed.
+/// The user cancelled. Nothing is changed.
 class Cancelled : public Error {
  public:
   Cancelled() : Error("cancelled") {}

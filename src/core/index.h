@@ -8,7 +8,7 @@ namespace winslow {
 /// Index of a node, an element, or an entry of a compressed row.
 using Index = std::int32_t;
 
-/// An index as the standard containers take it; it must not be negative.
+/// An index, which must not be negative, as subscript of a standard container.
 constexpr std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace winslow

@@ -8,8 +8,8 @@
 ///     #error "winslow 0.1 or later is needed"
 ///     #endif
 ///
-/// As long as the first number is 0, an interface changes with the second: find_package(winslow
-/// 0.1) finds 0.1.x alone. The third changes with what is repaired.
+/// While the first number is 0, a new interface increases the second number: find_package(winslow
+/// 0.1) finds only 0.1.x. Repairs increase the third number.
 #define WINSLOW_VERSION_MAJOR 0
 #define WINSLOW_VERSION_MINOR 1
 #define WINSLOW_VERSION_PATCH 0

@@ -11,8 +11,6 @@
 /// Control volumes for tests, and the operator over them worked out the slow way.
 namespace winslow::test {
 
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 inline Vec2 polar(double length, double angle) {
   return length * Vec2(std::cos(angle), std::sin(angle));
 }

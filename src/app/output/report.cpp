@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/output/tables.h"
-#include "core/layers/layer_measures.h"
+#include "core/layers/layer_stack.h"
 #include "io/file/atomic_file.h"
 
 namespace winslow::app {

@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "app/output/terminal.h"
-#include "core/layers/layer_measures.h"
+#include "core/layers/layer_stack.h"
 #include "core/mesh/coordinates.h"
 
 namespace winslow::app {

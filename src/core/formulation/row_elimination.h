@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/formulation/simplex_kernel.h"
-#include "core/geometry/sliding_geometry.h"
+#include "core/geometry/sliding_boundary.h"
 #include "core/linear/sparse_system.h"
 #include "core/problem/node_unknowns.h"
 #include "core/problem/smoothing_problem.h"

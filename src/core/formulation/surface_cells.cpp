@@ -3,7 +3,7 @@
 #include "core/formulation/row_blocks.h"
 #include "core/mesh/index_sets.h"
 #include "core/parallel/parallel_for.h"
-#include "core/quality/corner.h"
+#include "core/quality/metric.h"
 
 namespace winslow {
 

@@ -1,6 +1,6 @@
 #include "core/formulation/target_metric.h"
 
-#include "core/mesh/corner_tetrahedra.h"
+#include "core/mesh/element_type.h"
 
 namespace winslow {
 

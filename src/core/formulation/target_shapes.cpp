@@ -3,9 +3,9 @@
 #include "core/error.h"
 #include "core/formulation/stretch_field.h"
 #include "core/formulation/target_metric.h"
-#include "core/mesh/corner_tetrahedra.h"
+#include "core/mesh/element_type.h"
 #include "core/parallel/parallel_for.h"
-#include "core/quality/corner.h"
+#include "core/quality/metric.h"
 
 namespace winslow {
 

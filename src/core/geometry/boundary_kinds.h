@@ -1,13 +1,16 @@
 #pragma once
 
 #include "core/error.h"
+#include "core/geometry/curve.h"
 #include "core/geometry/sliding_boundary.h"
+#include "core/geometry/surface/surface.h"
 #include "core/geometry/surface_features.h"
+#include "core/mesh/surface_faces.h"
 
-/// The parts of SlidingBoundary::find().
+/// The parts of SlidingBoundary::find(), for this folder.
 namespace winslow {
 
-/// Which part of a boundary each node that slides is on.
+/// The part of the boundary of each node that slides.
 class NodeParts {
  public:
   void set(Index node, Index part) {
@@ -25,47 +28,97 @@ class NodeParts {
   std::vector<Index> part_of_;  // -1: none
 };
 
-/// What of the boundary each node of a periodic pair lies on, besides its own side.
+/// The markers at nodes of periodic pairs, besides their own side.
 class CornerMarkers {
  public:
   CornerMarkers(const Topology& topology, std::span<const Index> sliding);
-  /// The sliding marker at a node of a pair, if there is one and no marker besides but the sides.
+  /// The sliding marker at a node of a pair; none if there is another marker besides the two sides.
   std::optional<Index> sliding_at(Index node, const PeriodicPairs& pairs) const;
-  /// Whether a sliding marker is there at all.
+  /// Whether there is a sliding marker at a node.
   bool meets_sliding(Index node) const;
-  /// Throws UsageError where one node of a pair meets a sliding marker and the other does not.
+  /// Throws UsageError if only one node of a pair is on a sliding marker.
   void require_both(const Coordinates& x, const PeriodicPair& pair) const;
 
  private:
+  bool slides(Index marker) const { return std::ranges::find(sliding_, marker) != sliding_.end(); }
+
   const Topology& topology_;
   std::vector<Index> sliding_;
-  std::map<Index, std::vector<Index>> markers_at_;  // of nodes of more than one
+  std::map<Index, std::vector<Index>> markers_at_;  // of nodes on several markers
 };
 
-/// Throws UsageError: a node of a pair is on a marker that slides, but for its partner `what`.
+/// Throws UsageError for a node of a pair on a marker that slides. what: the clause about its
+/// partner.
 [[noreturn]] void refuse_corner(const Coordinates& x, Index on_sliding, Index partner,
                                 const std::string& marker, const std::string& what);
 
-// Each has the nodes slide that the rules hold, too, and throws UsageError for smooth ones that
-// cannot slide.
+// In the results held nodes of the rules slide, too. Each function throws UsageError for smooth
+// nodes that cannot slide.
 
 /// Of a plane mesh. markers: indices.
 SlidingBoundary sliding_on_curves(const Topology& topology, const Coordinates& x,
                                   std::span<const Index> markers, const FeatureRules& rules,
                                   std::span<const PeriodicPairs> periodic);
-/// Of a volume mesh; of a surface mesh, whose elements all take part, markers is empty.
+/// Of a volume mesh, or of a surface mesh, with all of its elements and no markers.
 SlidingBoundary sliding_on_surfaces(const Topology& topology, const Coordinates& x,
                                     std::span<const Index> markers, const FeatureRules& rules,
                                     std::span<const PeriodicPairs> periodic);
 
-/// The same on another surface: see SlidingBoundary::find().
+/// The same on a reference surface, see SlidingBoundary::find().
 SlidingBoundary sliding_on_reference(const Topology& topology, const Coordinates& x,
                                      std::span<const Index> markers, const FeatureRules& rules,
                                      const ReferenceSurface& reference);
 
-/// Throws UsageError for the first smooth node of the rules that does not slide in space: `nodes`
-/// is what each is, `stays` 1 for those that meet the boundary that does not slide.
+/// Throws UsageError for the first smooth node of the rules that cannot slide in space. stays: 1
+/// for nodes on the boundary that does not slide.
 void require_smooth(const FeatureRules& rules, std::span<const SurfaceNode> nodes,
                     std::span<const unsigned char> stays);
+
+/// Surfaces and curves in space, and the one on which each node slides.
+class SpaceGeometry final : public SlidingGeometry {
+ public:
+  Foot foot(Index node, const Vec3& point) const override;
+
+  /// x: of all nodes, near the surface.
+  void add(std::shared_ptr<const Surface> surface, std::span<const Index> nodes,
+           const SpacePoints& x);
+  void add(std::shared_ptr<const SpaceCurve> curve, std::span<const Index> nodes);
+
+ private:
+  struct Piece {
+    std::shared_ptr<const Surface> surface;
+    std::shared_ptr<const SpaceCurve> curve;
+  };
+
+  struct Slider {
+    Index piece;
+    Vec3 direction;  // the first vector of its frame is near to it
+  };
+
+  std::vector<Piece> pieces_;
+  std::vector<Slider> sliders_;
+  NodeParts numbers_;  // of the sliders
+};
+
+/// The faces of sliding markers of a volume mesh, or the elements of a surface mesh. stays: 1 for
+/// nodes on the boundary that does not slide (#nodes).
+struct SlidingFaces {
+  std::vector<SurfaceFace> faces;
+  std::vector<unsigned char> stays;
+};
+/// markers: indices; ignored for a surface mesh.
+SlidingFaces sliding_faces(const Topology& topology, std::span<const Index> markers);
+
+/// The nodes of a region of faces that slide on its surface.
+std::vector<Index> nodes_inside(const SlidingFaces& sliding, std::span<const SurfaceNode> nodes,
+                                std::span<const Index> region);
+
+/// "straight edge", "edge, circle of radius 1": a feature line for reports.
+std::string edge_description(const SpaceCurve& curve);
+
+/// The name of a marker for reports; "surface" for -1.
+std::string part_name(const Topology& topology, Index marker);
+/// The lowest marker of the faces at each node.
+std::map<Index, Index> markers_at(std::span<const SurfaceFace> faces);
 
 }  // namespace winslow

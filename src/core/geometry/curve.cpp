@@ -2,14 +2,16 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <utility>
 
 #include "core/error.h"
+#include "core/mesh/coordinates.h"
 #include "core/options/option.h"
 #include "core/search/box_tree.h"
 
 namespace winslow {
 
-/// Cubic pieces between knots, by the second derivatives there.
+/// A cubic spline, by the second derivatives at its knots.
 template <int D>
 class SplineCurve final : public Curve<D> {
  public:
@@ -55,8 +57,8 @@ class SplineCurve final : public Curve<D> {
     const auto knot = static_cast<std::ptrdiff_t>(
         tree_.nearest(p, std::numeric_limits<double>::infinity())->item);
     const auto pieces = static_cast<std::ptrdiff_t>(chord_.size());
-    // The nearest knot is next to the nearest place but where the curve bends as fast as its knots
-    // lie apart; two pieces on either side are enough for that.
+    // The nearest place is next to the nearest knot, unless the radius of curvature is near the
+    // distance of the knots. Two pieces on either side are enough then.
     constexpr std::ptrdiff_t reach = 2;
     std::optional<Place> best;
     for (std::ptrdiff_t k = knot - reach; k < knot + reach; ++k) {
@@ -74,8 +76,8 @@ class SplineCurve final : public Curve<D> {
     return rest < 0 ? rest + arcs_.back() : rest;
   }
 
-  /// Length of arc of a piece up to t: Gauss's rule with 8 points, exact to round-off for pieces
-  /// that do not bend by much more than their chord.
+  /// Arc length of a piece up to t by Gauss's rule with 8 points. It is exact to round-off unless
+  /// the piece is strongly curved.
   double arc_in_piece(std::size_t k, double t) const {
     constexpr std::array<double, 4> places{0.18343464249564980494, 0.52553240991632898582,
                                            0.79666647741362673959, 0.96028985649753623168};
@@ -88,7 +90,7 @@ class SplineCurve final : public Curve<D> {
     return 0.5 * t * sum;
   }
 
-  /// The t of a piece at a length of arc, by Newton's method.
+  /// The parameter of a piece at an arc length, by Newton's method.
   double parameter_at(std::size_t k, double arc) const {
     constexpr int iterations = 20;
     const double h = chord_[k];
@@ -114,7 +116,8 @@ class SplineCurve final : public Curve<D> {
             (q - p) / h + (h / 6) * ((1 - 3 * a * a) * m + (3 * b * b - 1) * n), a * m + b * n};
   }
 
-  /// By Newton's method on the derivative of the squared distance, safeguarded by a bracket.
+  /// The nearest place on a piece, by Newton's method on the derivative of the squared distance
+  /// within a bracket.
   Place on_piece(std::size_t k, const Vec<D>& p) const {
     constexpr int samples = 4, iterations = 60;
     const double h = chord_[k];
@@ -147,12 +150,14 @@ class SplineCurve final : public Curve<D> {
     return {d.r, tangent, (d.second - tangent.dot(d.second) * tangent) / speed2};
   }
 
+  /// Six times the jump of the slope of the chords at knot k.
   Vec<D> jump(std::size_t before, std::size_t k, std::size_t next) const {
     return 6 *
            ((knots_[next] - knots_[k]) / chord_[k] - (knots_[k] - knots_[before]) / chord_[before]);
   }
 
-  /// h_(k-1) m_(k-1) + 2 (h_(k-1) + h_k) m_k + h_k m_(k+1) = 6 (slope_k - slope_(k-1)).
+  /// Second derivatives m of the natural spline with chords h:
+  /// h_(k-1) m_(k-1) + 2 (h_(k-1) + h_k) m_k + h_k m_(k+1) = jump_k.
   std::vector<Vec<D>> natural_bends() const {
     const std::size_t n = knots_.size();
     std::vector<Vec<D>> m(n, Vec<D>(Vec<D>::Zero()));
@@ -173,7 +178,7 @@ class SplineCurve final : public Curve<D> {
     return m;
   }
 
-  /// The same in a ring, by the Sherman-Morrison formula.
+  /// The same for a closed curve, by the Sherman-Morrison formula.
   std::vector<Vec<D>> periodic_bends() const {
     const std::size_t n = chord_.size();
     std::vector<double> lower(n), diagonal(n), upper(n);
@@ -183,8 +188,7 @@ class SplineCurve final : public Curve<D> {
       lower[k] = chord_[before];
       upper[k] = chord_[k];
       diagonal[k] = 2 * (chord_[before] + chord_[k]);
-      rhs[k] = 6 * ((knots_[k + 1] - knots_[k]) / chord_[k] -
-                    (knots_[k] - knots_[before]) / chord_[before]);
+      rhs[k] = jump(before, k, k + 1);
     }
     const double corner = lower[0], gamma = -diagonal[0];
     diagonal[0] -= gamma;
@@ -239,7 +243,7 @@ class Line final : public Curve<D> {
   Vec<D> origin_, direction_;
 };
 
-/// In the plane of two axes at right angles.
+/// A circle in the plane of two perpendicular unit vectors.
 template <int D>
 class Circle final : public Curve<D> {
  public:
@@ -271,15 +275,8 @@ class Circle final : public Curve<D> {
 };
 
 template <int D>
-double extent_of(std::span<const Vec<D>> points) {
-  Box<D> box = Box<D>::empty();
-  for (const Vec<D>& p : points) box.add(p);
-  return box.size().norm();
-}
-
-template <int D>
 std::unique_ptr<const Curve<D>> line_through(std::span<const Vec<D>> points, double tolerance) {
-  // The longest chord from the first point gives the direction to its last digit.
+  // The longest chord from the first point is the most accurate direction.
   const Vec<D> origin = points.front();
   Vec<D> longest = Vec<D>::Zero();
   for (const Vec<D>& p : points)
@@ -292,21 +289,15 @@ std::unique_ptr<const Curve<D>> line_through(std::span<const Vec<D>> points, dou
   return std::make_unique<Line<D>>(origin, direction);
 }
 
-Vec2 mean_of(std::span<const Vec2> points) {
-  Vec2 sum(0, 0);
-  for (const Vec2& p : points) sum += p;
-  return sum / static_cast<double>(points.size());
-}
-
 struct FittedCircle {
   Vec2 centre;
   double radius;
 };
 
-/// Least squares of |p|^2 = 2 c . p + (r^2 - c^2), about the mean of the points.
+/// Fits |p|^2 = 2 c . p + (r^2 - c^2) by least squares, relative to the mean of the points.
 std::optional<FittedCircle> fit_circle(std::span<const Vec2> points, double tolerance) {
   if (points.size() < 5) return std::nullopt;  // fewer would lie on some circle by chance
-  const Vec2 mean = mean_of(points);
+  const Vec2 mean = mean_of<2>(points);
   const auto rows = static_cast<Eigen::Index>(points.size());
   Eigen::MatrixXd a(rows, 3);
   Eigen::VectorXd b(rows);
@@ -330,12 +321,10 @@ std::unique_ptr<const PlaneCurve> circle_through(std::span<const Vec2> points, d
   return std::make_unique<Circle<2>>(circle->centre, circle->radius, Vec2(1, 0), Vec2(0, 1));
 }
 
-/// In the plane that fits the points best, if they lie in it.
+/// In the best-fitting plane of the points, if they lie in it.
 std::unique_ptr<const SpaceCurve> circle_through(std::span<const Vec3> points, double tolerance) {
   if (points.size() < 5) return nullptr;
-  Vec3 mean(0, 0, 0);
-  for (const Vec3& p : points) mean += p;
-  mean /= static_cast<double>(points.size());
+  const Vec3 mean = mean_of<3>(points);
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Vec3& p : points) spread += (p - mean) * (p - mean).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);  // ascending
@@ -360,7 +349,7 @@ std::unique_ptr<const Curve<D>> curve_of(std::span<const Vec<D>> points, bool cl
   for (std::size_t k = 0; k + (closed ? 0 : 1) < points.size(); ++k)
     if (points[k] == points[(k + 1) % points.size()])
       throw UsageError("a curve through points of which two neighbours lie at one place");
-  const double allowed = tolerance * extent_of<D>(points);
+  const double allowed = tolerance * Box<D>::around(points).size().norm();
   if (!closed)
     if (auto line = line_through<D>(points, allowed)) return line;
   if (auto circle = circle_through(points, allowed)) return circle;
@@ -377,6 +366,83 @@ std::unique_ptr<const PlaneCurve> curve_through(std::span<const Vec2> points, bo
 std::unique_ptr<const SpaceCurve> curve_through(std::span<const Vec3> points, bool closed,
                                                 double tolerance) {
   return curve_of<3>(points, closed, tolerance);
+}
+
+namespace {
+
+/// A curve of the plane in space.
+class LiftedCurve final : public SpaceCurve {
+ public:
+  explicit LiftedCurve(std::shared_ptr<const PlaneCurve> curve) : curve_(std::move(curve)) {}
+  CurvePoint<3> nearest(const Vec3& p) const override {
+    return lifted_point(curve_->nearest(p.head<2>()));
+  }
+  double arc_of(const Vec3& p) const override { return curve_->arc_of(p.head<2>()); }
+  CurvePoint<3> at_arc(double arc) const override { return lifted_point(curve_->at_arc(arc)); }
+  double period() const override { return curve_->period(); }
+  std::string description() const override { return curve_->description(); }
+
+ private:
+  static CurvePoint<3> lifted_point(const CurvePoint<2>& place) {
+    return {lifted(place.point), lifted(place.tangent), lifted(place.curvature)};
+  }
+
+  std::shared_ptr<const PlaneCurve> curve_;
+};
+
+}  // namespace
+
+std::shared_ptr<const SpaceCurve> lifted(std::shared_ptr<const PlaneCurve> curve) {
+  return std::make_shared<LiftedCurve>(std::move(curve));
+}
+
+CurveRow::CurveRow(std::vector<Index> nodes, bool closed, std::shared_ptr<const SpaceCurve> curve,
+                   std::span<const Vec3> places)
+    : nodes_(std::move(nodes)), closed_(closed), curve_(std::move(curve)) {
+  const bool round_a_corner = !closed_ && nodes_.front() == nodes_.back();
+  if (round_a_corner && curve_->period() == 0) return;
+  const std::vector<double> lengths = edge_lengths(places);
+  for (const double length : lengths) length_ += length;
+  double along = 0;
+  for (std::size_t k = 0; k + 1 < lengths.size(); ++k) {
+    along += lengths[k];
+    shares_.push_back(along / length_);
+  }
+}
+
+/// On a closed curve the shorter way.
+double CurveRow::arc_between(double from, double to) const {
+  const double period = curve_->period();
+  return period > 0 ? std::remainder(to - from, period) : to - from;
+}
+
+std::vector<double> CurveRow::edge_lengths(std::span<const Vec3> places) const {
+  std::vector<double> lengths;
+  double before = curve_->arc_of(places.front());
+  const double start = before;
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const double arc = curve_->arc_of(places[k]);
+    lengths.push_back(arc_between(before, arc));
+    before = arc;
+  }
+  if (closed_) lengths.push_back(arc_between(before, start));
+  return lengths;
+}
+
+CurveRow::Places CurveRow::places(const Vec3& first, const Vec3& last) const {
+  const double from = curve_->arc_of(first), to = curve_->arc_of(last);
+  const double period = curve_->period();
+  double length = closed_ ? length_ : to - from;
+  if (!closed_ && period > 0) {
+    // The row keeps its direction around the closed curve and goes around at most once.
+    const double way = length_ < 0 ? -1 : 1;
+    double round = std::fmod(way * length, period);
+    if (round <= 0) round += period;
+    length = way * round;
+  }
+  Places out{curve_->at_arc(from), curve_->at_arc(to), {}};
+  for (const double share : shares_) out.between.push_back(curve_->at_arc(from + share * length));
+  return out;
 }
 
 }  // namespace winslow

@@ -8,19 +8,19 @@ namespace winslow {
 
 namespace {
 
-/// Nodes at a time of a loop over feet, each of which may take a search.
+/// Block size of loops over feet, each of which may need a search.
 constexpr Index search_block = 512;
 
 }  // namespace
 
-Vec3 area_vector(const Points<3>& x, std::span<const Index> element) {
+Vec3 doubled_area_vector(const Points<3>& x, std::span<const Index> element) {
   const Vec3 a = x[element[0]], b = x[element[1]], c = x[element[2]];
   if (element.size() == 3) return (b - a).cross(c - a);
   return (c - a).cross(x[element[3]] - b);
 }
 
-/// Of each node the side of its surface that elements face to: 1 or -1 against the normal of its
-/// frame; 0 where it has none. Of each element its normal in the mesh as given.
+/// of_node: 1 if elements face along the normal of the frame of the node, -1 if they face against
+/// it, 0 for a node without a normal. given: normals of the elements in the given mesh.
 struct ElementNormals::Sides {
   std::vector<signed char> of_node;
   std::vector<Vec3> given;
@@ -33,7 +33,7 @@ ElementNormals::ElementNormals(std::shared_ptr<const Topology> topology, const C
   auto sides = std::make_shared<Sides>();
   sides->of_node.assign(at(topology_->node_count()), 0);
   for (Index e = 0; e < topology_->element_count(); ++e) {
-    const Vec3 area = area_vector(x, topology_->element(e));
+    const Vec3 area = doubled_area_vector(x, topology_->element(e));
     const double length = area.norm();
     sides->given.push_back(length > 0 ? Vec3(area / length) : Vec3::UnitZ());
   }
@@ -45,7 +45,7 @@ ElementNormals::ElementNormals(std::shared_ptr<const Topology> topology, const C
         feet[i] = geometry_->foot(part.nodes[i], x[part.nodes[i]]);
     };
     parallel_for(0, static_cast<Index>(feet.size()), find, search_block);
-    // Of a mesh with elements turned over most area still faces the right way.
+    // Even if some elements are turned over, most area faces to the right side.
     double area = 0;
     std::vector<Index> on_surface;
     for (std::size_t i = 0; i < feet.size(); ++i) {
@@ -54,13 +54,14 @@ ElementNormals::ElementNormals(std::shared_ptr<const Topology> topology, const C
       on_surface.push_back(part.nodes[i]);
       const Vec3 normal = foot.frame[0].cross(foot.frame[1]);
       for (const Index e : topology_->star(part.nodes[i]))
-        area += normal.dot(area_vector(x, topology_->element(e)));
+        area += normal.dot(doubled_area_vector(x, topology_->element(e)));
     }
     for (const Index node : on_surface) sides->of_node[at(node)] = area < 0 ? -1 : 1;
   }
 }
 
-ElementNormals ElementNormals::asking(std::shared_ptr<const SlidingGeometry> geometry) const {
+ElementNormals ElementNormals::with_geometry(
+    std::shared_ptr<const SlidingGeometry> geometry) const {
   ElementNormals other = *this;
   other.geometry_ = std::move(geometry);
   return other;
@@ -103,7 +104,7 @@ Vec3 ElementNormals::of_element(Index element, const Coordinates& coordinates) c
 
 /// The normal of an element whose nodes have normals with this sum.
 Vec3 ElementNormals::from_nodes(Index element, const Vec3& sum) const {
-  constexpr double cancelled = 0.1;  // normals of opposite sides of a body say nothing
+  constexpr double cancelled = 0.1;  // below it normals of opposite sides of a body cancel
   const double length = sum.norm();
   if (!(length > cancelled)) return sides_->given[at(element)];
   return sum / length;

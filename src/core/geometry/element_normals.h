@@ -6,24 +6,24 @@
 
 namespace winslow {
 
-/// Which way the elements of a surface mesh should face, by the surface and not by the elements
-/// themselves: what tells an element that is turned over from one that is not.
+/// Reference normals of the elements of a surface mesh. An element is turned over if it faces away
+/// from its reference normal.
 ///
-/// The reference normal of an element is the mean of the surface's normals at its nodes, on the
-/// side to which the elements of that part of the surface face; nodes on feature lines, where the
-/// surface has no one normal, do not count. An element with no other nodes has the normal that it
-/// had in the mesh as given.
+/// The reference normal of an element is the mean of the normals of the surface at its nodes, on
+/// the side to which most area of that part of the surface faces. Nodes on feature lines, where the
+/// surface has several normals, do not count. An element with all nodes on feature lines has the
+/// normal that it has in the given mesh.
 class ElementNormals {
  public:
-  /// given: the mesh that the boundary was found in.
+  /// given: coordinates of the mesh in which the boundary was found.
   ElementNormals(std::shared_ptr<const Topology> topology, const Coordinates& given,
                  const SlidingBoundary& boundary);
-  /// The same, asking another object for the places of nodes on the same surface.
-  ElementNormals asking(std::shared_ptr<const SlidingGeometry> geometry) const;
+  /// The same with another geometry for the same surface, such as RememberedFeet.
+  ElementNormals with_geometry(std::shared_ptr<const SlidingGeometry> geometry) const;
 
-  /// #elements, unit vectors. threads: 0 for all cores.
+  /// Unit reference normals (#elements). threads: 0 for all cores.
   std::vector<Vec3> of_elements(const Coordinates& x, int threads) const;
-  /// Of one element.
+  /// The reference normal of one element.
   Vec3 of_element(Index element, const Coordinates& x) const;
 
  private:
@@ -36,7 +36,7 @@ class ElementNormals {
   std::shared_ptr<const Sides> sides_;
 };
 
-/// Twice the area of an element of a surface mesh, as a vector at right angles to it.
-Vec3 area_vector(const Points<3>& x, std::span<const Index> element);
+/// Twice the area vector of an element of a surface mesh.
+Vec3 doubled_area_vector(const Points<3>& x, std::span<const Index> element);
 
 }  // namespace winslow

@@ -3,7 +3,6 @@
 #include "core/error.h"
 #include "core/geometry/boundary_kinds.h"
 #include "core/geometry/reference_shape.h"
-#include "core/geometry/space_boundary.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/index_sets.h"
 #include "core/options/option.h"
@@ -12,7 +11,7 @@ namespace winslow {
 
 namespace {
 
-/// What the nodes of sliding faces slide on, on a reference surface.
+/// Finds the curves and surfaces of a reference surface for the nodes of sliding faces.
 class ReferenceFinder {
  public:
   ReferenceFinder(const Topology& topology, const Coordinates& x, std::span<const Index> markers,
@@ -23,7 +22,7 @@ class ReferenceFinder {
         edges_(surface_edges(sliding_.faces)),
         shape_(reference, rules.angle),
         smooth_(rules.smooth.begin(), rules.smooth.end()) {
-    // Borders, edges between markers and those of several faces alone.
+    // At 180 degrees only borders, edges between markers and edges of several faces.
     const auto kept = feature_edges(x_, sliding_.faces, edges_, 180);
     const ReferenceLines match(x_, sliding_.faces, edges_, topology.node_count(), shape_,
                                rules.angle);
@@ -44,7 +43,8 @@ class ReferenceFinder {
   }
 
   SlidingBoundary boundary(bool features) {
-    for (const std::vector<Index>& region : regions()) add_region(region);
+    for (const auto& region : connected_faces(sliding_.faces.size(), edges_, cut_))
+      add_region(region);
     if (features) {
       add_curves();
       out_.bends = bends_;
@@ -57,10 +57,10 @@ class ReferenceFinder {
   }
 
  private:
-  /// Edges at a node that cut the surface.
+  /// The cut edges at a node.
   struct NodeEdges {
     std::vector<Index> others;
-    Index line = -1;  ///< of all of them; -1: of several, or of none
+    Index line = -1;  ///< of the last of them; -1: none
     bool one_line = true;
   };
 
@@ -99,8 +99,8 @@ class ReferenceFinder {
     }
   }
 
-  /// The node nearest to each corner of the reference surface that has none yet, if it is near, is
-  /// one.
+  /// Makes the nearest node of each corner of the reference surface without a node a corner, if it
+  /// is near.
   void hold_corners() {
     std::vector<Index> nodes;
     std::vector<Vec3> places;
@@ -111,10 +111,10 @@ class ReferenceFinder {
     }
     if (nodes.empty()) return;
     const BoxTree<3> tree{std::span<const Vec3>(places)};
-    std::vector<Vec3> taken;
-    for (const auto& [node, place] : corners_) taken.push_back(place);
+    std::vector<Vec3> known;
+    for (const auto& [node, place] : corners_) known.push_back(place);
     for (const Vec3& corner : shape_.corners()) {
-      if (std::ranges::find(taken, corner) != taken.end()) continue;
+      if (std::ranges::find(known, corner) != known.end()) continue;
       const auto found = tree.nearest(corner, std::numeric_limits<double>::infinity());
       const Index node = nodes[at(found->item)];
       constexpr double near = 0.7;
@@ -123,24 +123,8 @@ class ReferenceFinder {
     }
   }
 
-  /// Faces that hang together across edges that do not cut the surface.
-  std::vector<std::vector<Index>> regions() const {
-    JoinedSets sets(sliding_.faces.size());
-    for (std::size_t k = 0; k < cut_.size(); ++k)
-      if (cut_[k] == 0) {
-        const auto around = edges_.faces[static_cast<Index>(k)];
-        sets.join(around[0], around[1]);
-      }
-    std::map<Index, std::vector<Index>> by_lowest;
-    for (std::size_t f = 0; f < sliding_.faces.size(); ++f)
-      by_lowest[sets.find(static_cast<Index>(f))].push_back(static_cast<Index>(f));
-    std::vector<std::vector<Index>> out;
-    for (auto& [lowest, faces] : by_lowest) out.push_back(std::move(faces));
-    return out;
-  }
-
-  /// The regions of the reference surface on which a region of the mesh lies: the one nearest to
-  /// most of its nodes, and those nearest to nodes that are off the ones before.
+  /// The regions of the reference surface for a region of the mesh: the one nearest to most of its
+  /// nodes, then those nearest to nodes that are far from the regions before.
   std::vector<Index> regions_under(std::span<const Index> nodes) const {
     std::map<Index, std::vector<Index>> votes;
     for (const Index node : nodes) {
@@ -165,7 +149,8 @@ class ReferenceFinder {
     return chosen;
   }
 
-  /// Else the surface is that of another body, or in another unit.
+  /// Throws UsageError for a node far from the surface, which is then of another body or in another
+  /// unit.
   void require_near(Index node, double distance) const {
     constexpr double far = 0.1;  // of the mesh
     if (distance <= far * extent_) return;
@@ -176,10 +161,7 @@ class ReferenceFinder {
   }
 
   void add_region(std::span<const Index> region) {
-    std::vector<Index> inside;
-    for (const Index node : nodes_of_faces(sliding_.faces, region))
-      if (nodes_[at(node)] == SurfaceNode::inside && sliding_.stays[at(node)] == 0)
-        inside.push_back(node);
+    const std::vector<Index> inside = nodes_inside(sliding_, nodes_, region);
     if (inside.empty()) return;
     const std::vector<Index> under = regions_under(inside);
     auto& surface = surfaces_[under];
@@ -199,11 +181,9 @@ class ReferenceFinder {
     for (const auto& [line, nodes] : nodes_on) {
       const auto& curve = shape_.curve(line);
       if (!curve) continue;
-      std::string what = curve->description();
-      what = what == "straight line" ? "straight edge" : "edge, " + what;
       geometry_->add(curve, nodes);
       out_.parts.push_back({part_name(topology_, marker_at.at(nodes.front())),
-                            what + " of " + shape_.source(), nodes});
+                            edge_description(*curve) + " of " + shape_.source(), nodes});
     }
   }
 

@@ -16,8 +16,7 @@ std::shared_ptr<const ReferenceSurface> moved_to(const ReferenceSurface& surface
 
 namespace {
 
-/// Several surfaces as one: at each place the one whose triangles are nearest there. Planes,
-/// cylinders and spheres end at their faces.
+/// Several surfaces as one: for each point the surface with the nearest triangle.
 class JoinedSurface final : public Surface {
  public:
   JoinedSurface(Triangulation triangles, std::vector<std::shared_ptr<const Surface>> of_triangles,
@@ -39,7 +38,7 @@ class JoinedSurface final : public Surface {
   std::string description_;
 };
 
-/// A curve that goes on straight where the line through which it was laid fades out.
+/// A curve with straight continuations at ends where its feature line fades out.
 class FadingCurve final : public SpaceCurve {
  public:
   FadingCurve(std::shared_ptr<const SpaceCurve> curve,
@@ -69,7 +68,8 @@ class FadingCurve final : public SpaceCurve {
   std::string description() const override { return curve_->description(); }
 
  private:
-  /// How far a point is before the beginning (negative) or behind the end; 0: neither.
+  /// Length along a continuation to the foot of a point: negative before the start, positive behind
+  /// the end, 0 if the foot is on the curve.
   double beyond(const Vec3& point) const {
     const double before = (point - begin_.point).dot(begin_.tangent);
     const double behind = (point - end_.point).dot(end_.tangent);
@@ -120,7 +120,7 @@ ReferenceShape::ReferenceShape(const ReferenceSurface& given, double angle)
   }
   triangles_.points = given.points;
   for (Index k = 0; k < line_count(); ++k) let_fade(k);
-  const auto regions = faces_of_regions(features_);
+  const auto& regions = features_.regions;
   for (std::size_t r = 0; r < regions.size(); ++r) {
     surfaces_.push_back(surface_over(x, faces_, regions[r], curves_));
     const std::vector<Index> nodes = nodes_of_faces(faces_, regions[r]);
@@ -168,8 +168,7 @@ std::vector<Index> ReferenceShape::lines_about(const Vec3& point, double reach) 
   const Vec3 around = Vec3::Constant(reach);
   segment_tree_.overlapping({point - around, point + around},
                             [&](Index k) { lines.push_back(segments_[at(k)].line); });
-  std::ranges::sort(lines);
-  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  sort_unique(lines);
   return lines;
 }
 
@@ -324,7 +323,7 @@ std::vector<ReferenceLines::Step> ReferenceLines::steps_along(Index line,
     const double reach = turns_[at(edge)] > 0 ? less_near : near;
     if (std::max(off_begin, off_end) > reach || end.arc - begin.arc < along * length(edge))
       continue;
-    // Within the line no chain crosses another.
+    // Chains meet only at the ends of their lines.
     const double margin = length(edge) / 2;
     const auto passes = [&](Index node, double arc) {
       return arc < margin || arc > shape_.length(line) - margin || !meets_other_line(node, line);
@@ -346,7 +345,7 @@ std::vector<ReferenceLines::Step> ReferenceLines::best_chain(std::span<const Ste
     double most = 0;
     before.emplace_back();
     for (const std::size_t other : ending_at[steps[k].from])
-      // A line that does not turn does not go around the corner of a face.
+      // A line has no two edges of one face.
       if (worth[other] > most && !share_face(steps[k].edge, steps[other].edge)) {
         most = worth[other];
         before.back() = other;
@@ -403,10 +402,10 @@ void ReferenceLines::find_corners() {
       }
     }
   std::ranges::stable_sort(claims, {}, &Claim::distance);
-  std::vector<Vec3> taken;
+  std::vector<Vec3> assigned;
   for (const Claim& claim : claims) {
-    if (std::ranges::find(taken, claim.corner) != taken.end()) continue;
-    if (corners_.try_emplace(claim.node, claim.corner).second) taken.push_back(claim.corner);
+    if (std::ranges::find(assigned, claim.corner) != assigned.end()) continue;
+    if (corners_.try_emplace(claim.node, claim.corner).second) assigned.push_back(claim.corner);
   }
   constexpr double near = 0.5;
   std::erase_if(corners_, [&](const auto& corner) {

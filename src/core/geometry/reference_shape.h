@@ -9,7 +9,7 @@
 
 namespace winslow {
 
-/// A reference surface cut at its features: what can be slid on, and what lies where.
+/// A reference surface cut at its features, with searches for its lines and regions.
 class ReferenceShape {
  public:
   /// angle: of features, in degrees. Throws UsageError for a surface without faces.
@@ -18,39 +18,40 @@ class ReferenceShape {
   const std::string& source() const { return source_; }
 
   Index line_count() const { return static_cast<Index>(features_.lines.size()); }
-  /// Goes on straight where the line fades out.
+  /// The curve through a line, with straight continuations where the line fades out.
   const std::shared_ptr<const SpaceCurve>& curve(Index line) const {
     return curves_.curves[at(line)];
   }
   double length(Index line) const { return lengths_[at(line)]; }
 
-  /// A place on a feature line.
+  /// A point on a feature line.
   struct LinePlace {
     Index line;
     double distance;
-    Vec3 tangent;  ///< of length 1; of the chord there
+    Vec3 tangent;  ///< unit vector along the chord there
   };
-  /// The nearest feature line no farther away than `reach`.
+  /// The nearest feature line within `reach`.
   std::optional<LinePlace> nearest_line(const Vec3& point, double reach) const;
-  /// The lines of which boxes around their segments come within `reach`, ascending: all that are
-  /// so near, and some more.
+  /// The lines with a segment whose box is within `reach`, ascending: all lines within reach and
+  /// perhaps some more.
   std::vector<Index> lines_about(const Vec3& point, double reach) const;
 
-  /// The place of a line that is nearest to a point.
+  /// The point of a line nearest to a point.
   struct LineFoot {
     Vec3 point;
     double distance;
-    double arc;  ///< from the line's beginning
+    double arc;  ///< length from the start of the line
   };
   LineFoot foot_on_line(Index line, const Vec3& point) const;
   bool closed(Index line) const { return features_.lines[at(line)].closed; }
 
-  /// Where feature lines meet or turn, and tips of cones; not where a line fades out.
+  /// Points where feature lines meet or turn, and tips of cones; not the points where a line fades
+  /// out.
   const std::vector<Vec3>& corners() const { return corners_; }
-  /// Where a line that does not close begins or ends.
+  /// An end of an open line.
   struct LineEnd {
     Vec3 point;
-    bool fades_out;  ///< no other line comes there: it is no corner
+    bool fades_out;  ///< no other line ends there, so it is no corner
   };
   std::array<LineEnd, 2> ends(Index line) const;
 
@@ -59,7 +60,7 @@ class ReferenceShape {
     double distance;
   };
   SurfacePlace nearest_region(const Vec3& point) const;
-  /// Distance to the triangles of one region.
+  /// Distance from the triangles of one region.
   double distance_to_region(Index region, const Vec3& point) const;
   /// The surface of some regions together (ascending, at least one).
   std::shared_ptr<const Surface> surface(const std::vector<Index>& regions) const;
@@ -90,20 +91,20 @@ class ReferenceShape {
   TriangleTree tree_;
 };
 
-/// Which edges of a mesh run along the feature lines of a reference surface, and where the lines
-/// end.
+/// The mesh edges along the feature lines of a reference surface, and the nodes at the ends of the
+/// lines.
 ///
-/// Near is measured by the shortest edges at the ends of an edge, so that rows of thin elements
-/// beside a line are told from it. An edge belongs to a line if its ends and its middle lie within
-/// .3 of that, and it points along the line. Where a line is not found so along half of its length,
-/// the edges at which the mesh turns by the feature angle may be .7 away.
+/// Distances are relative to the shortest edges at the ends of an edge, so that a row of thin
+/// elements beside a line does not count as on it. An edge is on a line if its ends and its
+/// midpoint are within 0.3 and it has the direction of the line. If these edges cover less than
+/// half of a line, edges at which the mesh turns by the feature angle may be within 0.7.
 ///
-/// A line that is not found all along, and does not close, is looked for as a whole then: as the
-/// chain of edges that goes on along it, within .5 of it, or within 1 where the mesh turns by half
-/// of the feature angle; of all such chains the one that covers most of it, its parts the more so
-/// the nearer they are to it and the more the mesh turns there (exact, by dynamic programming:
-/// along a chain the length of arc grows). It takes the place of what was found before if it is
-/// longer, has two edges at least, and covers half of the line.
+/// An open line that is not completely covered is then searched for as a whole: a chain of
+/// connected edges along it, within 0.5, or within 1 where the mesh turns by half of the feature
+/// angle. Of all chains the one with the greatest worth is chosen: covered length, weighted by
+/// nearness and by the angle of the mesh. Dynamic programming finds it exactly, since the arc
+/// length grows along a chain. It replaces the edges that were found first if it is longer, has at
+/// least two edges and covers half of the line.
 class ReferenceLines {
  public:
   /// angle: of features, in degrees. x: of all nodes of the mesh.
@@ -111,23 +112,24 @@ class ReferenceLines {
                  const SurfaceEdges& edges, Index node_count, const ReferenceShape& shape,
                  double angle);
 
-  /// #edges; -1: along none.
+  /// The line of each edge (#edges); -1: none.
   const std::vector<Index>& lines() const { return lines_; }
   /// Length of the shortest edge at each node (#nodes).
   const std::vector<double>& shortest() const { return shortest_; }
-  /// The corners of the reference surface that faces of the mesh would cut off, and the nodes for
-  /// them: of the nodes in which the edges along a line that comes from a corner end, the nearest
-  /// one, if between half and one mean length of the edges at it away.
+  /// Nodes that move to corners of the reference surface, which faces of the mesh would cut off.
+  /// For each corner it is the nearest node at which the edges along a line end, if its distance is
+  /// between half and one mean length of the edges at it.
   const std::map<Index, Vec3>& corners() const { return corners_; }
-  /// Nodes in which the edges along a line end where it fades out: the reference surface turns by
-  /// less than the feature angle beyond. Not those that are at its end (.3).
+  /// Nodes at which the edges along a line end before the line fades out. There the reference
+  /// surface turns by less than the feature angle. Nodes within 0.3 of the end of the line do not
+  /// count.
   const std::set<Index>& fading() const { return fading_; }
 
  private:
-  /// An edge as a line runs.
+  /// An edge in the direction of a line.
   struct Step {
     Index edge, from, to;
-    double begin, end;  ///< lengths of arc along the line
+    double begin, end;  ///< arc lengths along the line
     double worth;
   };
 

@@ -1,4 +1,4 @@
-#include "core/geometry/space_boundary.h"
+#include "core/geometry/boundary_kinds.h"
 
 #include <Eigen/Geometry>
 #include <set>
@@ -22,8 +22,8 @@ Foot on_curve(const SpaceCurve& curve, const Vec3& point) {
   return foot;
 }
 
-/// direction: along which the first of the frame points, as far as the surface lets it, so that
-/// frames of places near one another are near one another.
+/// direction: the first vector of the frame is its projection onto the surface, so that frames of
+/// near places are near to each other.
 Foot on_surface(const Surface& surface, const Vec3& direction, const Vec3& point) {
   const SurfacePoint place = surface.nearest(point);
   const Vec3& n = place.normal;
@@ -51,7 +51,7 @@ Foot SpaceGeometry::foot(Index node, const Vec3& point) const {
 
 void SpaceGeometry::add(std::shared_ptr<const Surface> surface, std::span<const Index> nodes,
                         const SpacePoints& x) {
-  constexpr Index block = 512;  // a search in a triangulation each
+  constexpr Index block = 512;  // small, since each item is a search in a triangulation
   const std::size_t first = sliders_.size();
   sliders_.resize(first + nodes.size(), {static_cast<Index>(pieces_.size()), Vec3::Zero()});
   const auto find = [&](Index begin, Index end) {
@@ -75,14 +75,27 @@ void SpaceGeometry::add(std::shared_ptr<const SpaceCurve> curve, std::span<const
 SlidingFaces sliding_faces(const Topology& topology, std::span<const Index> markers) {
   SlidingFaces out;
   out.stays.assign(at(topology.node_count()), 0);
-  const bool surface = topology.cell_dimension() == 2;
   for (const SurfaceFace& face : boundary_faces(topology)) {
-    if (surface || std::ranges::find(markers, face.marker) != markers.end())
+    if (is_surface(topology) || std::ranges::find(markers, face.marker) != markers.end())
       out.faces.push_back(face);
     else
       for (const Index node : face.nodes) out.stays[at(node)] = 1;
   }
   return out;
+}
+
+std::vector<Index> nodes_inside(const SlidingFaces& sliding, std::span<const SurfaceNode> nodes,
+                                std::span<const Index> region) {
+  std::vector<Index> inside = nodes_of_faces(sliding.faces, region);
+  std::erase_if(inside, [&](Index node) {
+    return nodes[at(node)] != SurfaceNode::inside || sliding.stays[at(node)] != 0;
+  });
+  return inside;
+}
+
+std::string edge_description(const SpaceCurve& curve) {
+  const std::string what = curve.description();
+  return what == "straight line" ? "straight edge" : "edge, " + what;
 }
 
 std::string part_name(const Topology& topology, Index marker) {
@@ -101,7 +114,7 @@ std::map<Index, Index> markers_at(std::span<const SurfaceFace> faces) {
 
 namespace {
 
-/// What the nodes of the faces of sliding markers slide on.
+/// Finds the surfaces and curves of the faces of sliding markers.
 class SurfaceFinder {
  public:
   SurfaceFinder(const Topology& topology, const Coordinates& x, std::span<const Index> markers,
@@ -117,8 +130,7 @@ class SurfaceFinder {
 
   SlidingBoundary boundary(bool features, std::span<const PeriodicPairs> periodic) {
     curves_ = curves_along(x_, features_);
-    regions_ = faces_of_regions(features_);
-    for (const std::vector<Index>& region : regions_) add_region(region);
+    for (const std::vector<Index>& region : features_.regions) add_region(region);
     if (features) add_curves();
     for (const PeriodicPairs& pairs : periodic)
       if (!pairs.halo) add_corners(pairs);
@@ -145,31 +157,25 @@ class SurfaceFinder {
         if (features_.nodes[at(node)] == SurfaceNode::line && sliding_.stays[at(node)] == 0)
           nodes.push_back(node);
       if (nodes.empty()) continue;
-      std::string what = curve->description();
-      what = what == "straight line" ? "straight edge" : "edge, " + what;
       geometry_->add(curve, nodes);
       const Chain& line = features_.lines[k];
       std::vector<Vec3> places;
       for (const Index node : line.nodes) places.push_back(x_[node]);
       out_.parts.push_back(
-          {part_name(topology_, marker_at.at(nodes.front())), what, nodes,
-           std::make_shared<const CurveRow>(line.nodes, line.closed, by_arc(curve), places)});
+          {part_name(topology_, marker_at.at(nodes.front())), edge_description(*curve), nodes,
+           std::make_shared<const CurveRow>(line.nodes, line.closed, curve, places)});
     }
   }
 
   void add_region(std::span<const Index> region) {
-    std::vector<Index> inside;
-    for (const Index node : nodes_of_faces(sliding_.faces, region))
-      if (features_.nodes[at(node)] == SurfaceNode::inside && sliding_.stays[at(node)] == 0)
-        inside.push_back(node);
+    const std::vector<Index> inside = nodes_inside(sliding_, features_.nodes, region);
     surfaces_.push_back({nullptr, {}});
-    if (inside.empty()) return;
-    add_part(surfaces_.size() - 1, inside);
+    if (!inside.empty()) add_part(surfaces_.size() - 1, inside);
   }
 
   const Surface& surface_of(std::size_t region) {
     auto& surface = surfaces_[region].surface;
-    if (!surface) surface = surface_over(x_, sliding_.faces, regions_[region], curves_);
+    if (!surface) surface = surface_over(x_, sliding_.faces, features_.regions[region], curves_);
     return *surface;
   }
 
@@ -180,7 +186,7 @@ class SurfaceFinder {
     if (!of.part) {
       of.part = out_.parts.size();
       out_.parts.push_back(
-          {part_name(topology_, sliding_.faces[at(regions_[region].front())].marker),
+          {part_name(topology_, sliding_.faces[at(features_.regions[region].front())].marker),
            of.surface->description(),
            {}});
     }
@@ -188,7 +194,7 @@ class SurfaceFinder {
     all.insert(all.end(), nodes.begin(), nodes.end());
   }
 
-  /// Corners of periodic sides, each with what it meets there.
+  /// Adds the corners of periodic sides that can slide, each to the surface that it meets.
   void add_corners(const PeriodicPairs& pairs) {
     if (pairs.corners.empty()) return;
     const std::map<Index, std::size_t> regions = only_regions();
@@ -211,26 +217,22 @@ class SurfaceFinder {
     }
   }
 
-  /// The region of each node of sliding faces that has but one.
+  /// The region of each node of sliding faces that has only one.
   std::map<Index, std::size_t> only_regions() const {
     std::map<Index, std::size_t> region_of;
     std::set<Index> several;
-    for (std::size_t f = 0; f < sliding_.faces.size(); ++f)
-      for (const Index node : sliding_.faces[f].nodes) {
-        const auto region = at(features_.region[f]);
-        const auto [place, is_new] = region_of.try_emplace(node, region);
-        if (!is_new && place->second != region) several.insert(node);
-      }
+    for (std::size_t r = 0; r < features_.regions.size(); ++r)
+      for (const Index node : nodes_of_faces(sliding_.faces, features_.regions[r]))
+        if (!region_of.try_emplace(node, r).second) several.insert(node);
     for (const Index node : several) region_of.erase(node);
     return region_of;
   }
 
-  /// The image of all of one region lies on the surface of another.
+  /// Throws UsageError unless the image of one region lies on the surface of another.
   void require_image(const RigidImage& image, std::size_t from, std::size_t to,
                      const PeriodicPair& pair) {
-    constexpr double share =
-        1e-4;  // of the extent: files round, and the fit is no better than they
-    const std::vector<Index> nodes = nodes_of_faces(sliding_.faces, regions_[from]);
+    constexpr double share = 1e-4;  // of the extent, for the rounding of files
+    const std::vector<Index> nodes = nodes_of_faces(sliding_.faces, features_.regions[from]);
     Box<3> box = Box<3>::empty();
     for (const Index node : nodes) box.add(x_[node]);
     double off = 0;
@@ -240,13 +242,13 @@ class SurfaceFinder {
     }
     if (off <= share * box.size().norm()) return;
     refuse_corner(coordinates_, pair.node, pair.image,
-                  part_name(topology_, sliding_.faces[at(regions_[from].front())].marker),
+                  part_name(topology_, sliding_.faces[at(features_.regions[from].front())].marker),
                   "is on a " + surface_of(to).description() +
                       ", which the image of that one is off by " + number_text(off));
   }
 
   struct RegionSurface {
-    std::shared_ptr<const Surface> surface;  // null: nothing has slid on it yet
+    std::shared_ptr<const Surface> surface;  // null: not made yet
     std::optional<std::size_t> part;
   };
 
@@ -257,7 +259,6 @@ class SurfaceFinder {
   SurfaceFeatures features_;
   CornerMarkers at_corners_;
   FeatureCurves curves_;
-  std::vector<std::vector<Index>> regions_;
   std::vector<RegionSurface> surfaces_;  // #regions
   std::shared_ptr<SpaceGeometry> geometry_ = std::make_shared<SpaceGeometry>();
   SlidingBoundary out_;

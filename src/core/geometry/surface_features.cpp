@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "core/geometry/surface/recognised_surface.h"
+#include "core/geometry/surface/surface.h"
 #include "core/mesh/index_sets.h"
 
 namespace winslow {
@@ -58,7 +58,7 @@ std::vector<Chain> find_chains(const EdgeEnds& ends, const std::function<bool(In
 
 namespace {
 
-/// The edges of a surface that are features, and what they make of its nodes.
+/// Finds feature edges and classifies the nodes.
 class FeatureFinder {
  public:
   FeatureFinder(const Coordinates& x, std::span<const SurfaceFace> faces, double angle,
@@ -72,7 +72,7 @@ class FeatureFinder {
         smooth_(smooth.begin(), smooth.end()) {}
 
   SurfaceFeatures find() {
-    find_regions();
+    out_.regions = connected_faces(faces_.size(), edges_, sharp_);
     for (std::size_t k = 0; k < sharp_.size(); ++k) {
       if (sharp_[k] == 0) continue;
       const auto [a, b] = edges_.nodes[k];
@@ -86,22 +86,6 @@ class FeatureFinder {
   }
 
  private:
-  void find_regions() {
-    JoinedSets sets(faces_.size());
-    for (std::size_t k = 0; k < sharp_.size(); ++k)
-      if (sharp_[k] == 0) {
-        const auto around = edges_.faces[static_cast<Index>(k)];
-        sets.join(around[0], around[1]);
-      }
-    std::map<Index, Index> numbers;
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      const auto [place, is_new] =
-          numbers.try_emplace(sets.find(static_cast<Index>(f)), out_.regions);
-      if (is_new) ++out_.regions;
-      out_.region.push_back(place->second);
-    }
-  }
-
   void classify() {
     out_.nodes.assign(at(node_count_), SurfaceNode::none);
     for (const SurfaceFace& face : faces_)
@@ -121,7 +105,8 @@ class FeatureFinder {
     return in.dot(out) >= least_cosine_ * in.norm() * out.norm();
   }
 
-  /// Nodes around which no edge is sharp, and the faces lean away from their mean all the same.
+  /// Finds tips: nodes without a feature edge where a face is inclined to the mean normal by more
+  /// than the angle.
   void find_tips() {
     std::vector<Vec3> normals(at(node_count_), Vec3(0, 0, 0));
     for (const SurfaceFace& face : faces_) {
@@ -178,11 +163,19 @@ FeatureCurves curves_along(const SpacePoints& x, const SurfaceFeatures& features
   return out;
 }
 
-std::vector<std::vector<Index>> faces_of_regions(const SurfaceFeatures& features) {
-  std::vector<std::vector<Index>> regions(at(features.regions));
-  for (std::size_t f = 0; f < features.region.size(); ++f)
-    regions[at(features.region[f])].push_back(static_cast<Index>(f));
-  return regions;
+std::vector<std::vector<Index>> connected_faces(std::size_t face_count, const SurfaceEdges& edges,
+                                                std::span<const unsigned char> cuts) {
+  JoinedSets sets(face_count);
+  for (std::size_t k = 0; k < cuts.size(); ++k)
+    if (cuts[k] == 0) {
+      const auto around = edges.faces[static_cast<Index>(k)];
+      sets.join(around[0], around[1]);
+    }
+  std::map<Index, std::vector<Index>> by_lowest;
+  for (Index f = 0; at(f) < face_count; ++f) by_lowest[sets.find(f)].push_back(f);
+  std::vector<std::vector<Index>> groups;
+  for (auto& [lowest, faces] : by_lowest) groups.push_back(std::move(faces));
+  return groups;
 }
 
 std::vector<Index> nodes_of_faces(std::span<const SurfaceFace> faces,
@@ -190,8 +183,7 @@ std::vector<Index> nodes_of_faces(std::span<const SurfaceFace> faces,
   std::vector<Index> nodes;
   for (const Index f : chosen)
     nodes.insert(nodes.end(), faces[at(f)].nodes.begin(), faces[at(f)].nodes.end());
-  std::ranges::sort(nodes);
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sort_unique(nodes);
   return nodes;
 }
 
@@ -204,11 +196,7 @@ Triangulation triangulated(const SpacePoints& x, std::span<const SurfaceFace> fa
     const auto corner = [&](std::size_t k) {
       return static_cast<Index>(std::ranges::lower_bound(nodes, face[k]) - nodes.begin());
     };
-    if (face.size() == 3) {
-      surface.triangles.push_back({corner(0), corner(1), corner(2)});
-      continue;
-    }
-    for (const auto& [a, b, c] : halves_of(x, std::span(face.begin(), face.end())))
+    for (const auto& [a, b, c] : triangles_of(x, std::span(face.begin(), face.end())))
       surface.triangles.push_back({corner(a), corner(b), corner(c)});
   }
   return surface;

@@ -1,15 +1,16 @@
 #include "core/inspect/nodal_view.h"
 
+#include <Eigen/SVD>
+
 #include "core/error.h"
 #include "core/mesh/surface_faces.h"
+#include "core/vcv/sphere/sphere_link.h"
 
 namespace winslow {
 
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Neighbours of a node of a surface mesh, relative to it, its star laid flat.
+/// Neighbours of a node of a surface mesh, relative to the node, after its star is laid flat.
 std::vector<Vec2> flat_star(const Coordinates& coordinates, Index node,
                             std::span<const Index> neighbours) {
   const SpacePoints x(coordinates);
@@ -29,36 +30,22 @@ std::vector<Vec2> flat_star(const Coordinates& coordinates, Index node,
   return points;
 }
 
-/// A node with its neighbours as a mesh of their own: the node first.
-struct LocalStar {
-  Coordinates x;
-  std::vector<Index> neighbours;
-
-  explicit LocalStar(const std::vector<Vec2>& around)
-      : x(2, static_cast<Index>(around.size()) + 1) {
-    x.set_xy(0, Vec2(0, 0));
-    for (std::size_t k = 0; k < around.size(); ++k) {
-      neighbours.push_back(static_cast<Index>(k) + 1);
-      x.set_xy(neighbours.back(), around[k]);
-    }
-  }
-};
-
-/// What the operator makes of a star. node and neighbours: as x has them.
-void evaluate(const Coordinates& x, Index node, std::span<const Index> neighbours,
-              NodalView& view) {
+/// Evaluates the operator at the node of view.physical.
+void evaluate(NodalView& view) {
+  const std::vector<Vec2>& around = view.physical.points;
+  Coordinates x(2, static_cast<Index>(around.size()) + 1);  // the node, then its neighbours
+  std::vector<Index> neighbours(around.size());
+  std::iota(neighbours.begin(), neighbours.end(), Index{1});
+  for (std::size_t k = 0; k < around.size(); ++k) x.set_xy(neighbours[k], around[k]);
   std::vector<NeighbourFunctionals> functionals(neighbours.size());
   compute_functionals(view.vcv.points, functionals);
-  view.gradient = nodal_gradient(x, node, neighbours, functionals);
+  view.gradient = nodal_gradient(x, 0, neighbours, functionals);
   view.singular_values = singular_values(view.gradient);
   view.kappa = view.singular_values[1] > 0 ? view.singular_values[0] / view.singular_values[1]
                                            : std::numeric_limits<double>::infinity();
   view.coefficients = winslow_coefficients(view.gradient);
   for (const auto& f : functionals) view.weights.push_back(winslow_weight(view.coefficients, f));
-  const NodalRow row = evaluate_row(x, node, neighbours, view.weights);
-  view.smallest_weight = row.smallest_weight(view.weights);
-  view.residual = row.residual;
-  view.scaled_residual = row.scaled();
+  view.set(evaluate_row(x, 0, neighbours, view.weights));
 }
 
 }  // namespace
@@ -75,12 +62,6 @@ void require_inspectable(const Topology& topology, Index node) {
   }
 }
 
-double Star::mean_length() const {
-  double sum = 0;
-  for (const double length : lengths) sum += length;
-  return lengths.empty() ? 0 : sum / static_cast<double>(lengths.size());
-}
-
 Star make_star(std::vector<Vec2> points) {
   Star star;
   star.points = std::move(points);
@@ -89,7 +70,7 @@ Star make_star(std::vector<Vec2> points) {
     const Vec2& p = star.points[k];
     const Vec2& q = star.points[(k + 1) % n];
     star.lengths.push_back(p.norm());
-    star.angles.push_back(std::atan2(cross(p, q), p.dot(q)));
+    star.angles.push_back(turn_between(p, q));
     star.areas.push_back(0.5 * cross(p, q));
   }
   return star;
@@ -98,7 +79,7 @@ Star make_star(std::vector<Vec2> points) {
 std::array<double, 2> singular_values(const NodalGradient& jacobian) {
   const double squares = jacobian.rx.squaredNorm() + jacobian.ry.squaredNorm();
   const double det = cross(jacobian.rx, jacobian.ry);
-  // (s1 + s2)^2 and (s1 - s2)^2: no root of a difference of large numbers.
+  // From (s1 + s2)^2 and (s1 - s2)^2, without cancellation.
   const double sum = std::sqrt(std::max(squares + 2 * std::abs(det), 0.0));
   const double difference = std::sqrt(std::max(squares - 2 * std::abs(det), 0.0));
   return {0.5 * (sum + difference), 0.5 * (sum - difference)};
@@ -111,9 +92,8 @@ NodalView inspect_node(const VirtualControlVolumes& vcv, const Coordinates& x, I
   view.node = node;
   const auto neighbours = topology.neighbours(node);
   view.neighbours.assign(neighbours.begin(), neighbours.end());
-  const bool surface = is_surface(topology);
   std::vector<Vec2> around;
-  if (surface) {
+  if (is_surface(topology)) {
     around = flat_star(x, node, neighbours);
   } else {
     view.position = x.xy(node);
@@ -121,17 +101,11 @@ NodalView inspect_node(const VirtualControlVolumes& vcv, const Coordinates& x, I
   }
   view.physical = make_star(std::move(around));
   view.vcv = make_star(vcv_points(vcv.angles(node), vcv.lengths(node)));
-  // The numbers as they were set, rather than worked out from points.
+  // The given numbers, without the round-off of the points.
   view.vcv.angles.assign(vcv.angles(node).begin(), vcv.angles(node).end());
   view.vcv.lengths.assign(vcv.lengths(node).begin(), vcv.lengths(node).end());
   view.edited = vcv.edited(node);
-
-  if (surface) {
-    const LocalStar flat(view.physical.points);
-    evaluate(flat.x, 0, flat.neighbours, view);
-  } else {
-    evaluate(x, node, neighbours, view);
-  }
+  evaluate(view);
   return view;
 }
 
@@ -161,6 +135,86 @@ double fitted_turn(const Star& vcv_star, const Star& physical) {
     sine += cross(v, p) / size;
   }
   return std::atan2(sine, cosine);
+}
+
+namespace {
+
+Vec3 direction_of(const Vec3& v) {
+  const double length = v.norm();
+  return length > 0 ? Vec3(v / length) : Vec3(0, 0, 0);
+}
+
+void fill_operator(VolumeNodalView& view, const Coordinates& x) {
+  std::vector<VolumeFunctional> functionals(view.neighbours.size());
+  compute_functionals(view.link, view.vcv.points, functionals);
+  view.gradient.setZero();
+  for (std::size_t k = 0; k < functionals.size(); ++k) {
+    const Vec3 share(functionals[k].dx, functionals[k].dy, functionals[k].dz);
+    view.gradient += view.physical.points[k] * share.transpose();
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(view.gradient, Eigen::ComputeFullU);
+  view.u = svd.matrixU();
+  view.singular_values = svd.singularValues();
+  view.kappa = view.singular_values[2] > 0 ? view.singular_values[0] / view.singular_values[2]
+                                           : std::numeric_limits<double>::infinity();
+  view.tensor = winslow_tensor(view.gradient);
+  for (const VolumeFunctional& f : functionals)
+    view.weights.push_back(winslow_weight(view.tensor, f));
+  view.set(evaluate_row<3>(x, view.node, view.neighbours, view.weights));
+}
+
+}  // namespace
+
+SphereStar make_sphere_star(const SphereLink& link, std::vector<Vec3> points) {
+  SphereStar star;
+  star.points = std::move(points);
+  std::vector<Vec3> directions;
+  for (const Vec3& p : star.points) {
+    star.lengths.push_back(p.norm());
+    directions.push_back(direction_of(p));
+  }
+  for (const auto& [a, b, c] : link.triangles()) {
+    star.solid_angles.push_back(
+        solid_angle(directions[at(a)], directions[at(b)], directions[at(c)]));
+    star.volumes.push_back(star.points[at(a)].dot(star.points[at(b)].cross(star.points[at(c)])) /
+                           6);
+  }
+  return star;
+}
+
+VolumeNodalView inspect_node(const Topology& topology, const Coordinates& x, const NodeVcv& vcv) {
+  VolumeNodalView view;
+  view.node = vcv.node;
+  const auto neighbours = topology.neighbours(vcv.node);
+  view.neighbours.assign(neighbours.begin(), neighbours.end());
+  view.position = x.xyz(vcv.node);
+  view.link = vcv.link;
+  std::vector<Vec3> around, towards;
+  for (const Index k : neighbours) {
+    around.push_back(x.xyz(k) - view.position);
+    towards.push_back(direction_of(around.back()));
+  }
+  view.turned_by = fitted_rotation(vcv.stencil.directions, towards);
+  view.physical = make_sphere_star(vcv.link, std::move(around));
+  std::vector<Vec3> points = vcv.points();
+  for (Vec3& p : points) p = view.turned_by * p;
+  view.vcv = make_sphere_star(vcv.link, std::move(points));
+  view.targets = vcv.targets;
+  view.edited = vcv.edited;
+  for (std::size_t t = 0; t < view.targets.size(); ++t)
+    view.largest_error =
+        std::max(view.largest_error, std::abs(view.vcv.solid_angles[t] / view.targets[t] - 1));
+  fill_operator(view, x);
+  return view;
+}
+
+Eigen::Matrix3d fitted_rotation(std::span<const Vec3> from, std::span<const Vec3> to) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < from.size(); ++k) sum += to[k] * from[k].transpose();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Matrix3d u = svd.matrixU();
+  if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) *= -1;
+  return u * svd.matrixV().transpose();
 }
 
 }  // namespace winslow

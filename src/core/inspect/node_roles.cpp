@@ -13,50 +13,32 @@ namespace winslow {
 
 namespace {
 
-/// Area vector of a face of a volume mesh: half the cross product of its diagonals.
-Vec3 normal_of(const SpacePoints& x, const Face& face) {
-  const Vec3 a = face.size() == 4 ? Vec3(x[face[2]] - x[face[0]]) : Vec3(x[face[1]] - x[face[0]]);
-  const Vec3 b = face.size() == 4 ? Vec3(x[face[3]] - x[face[1]]) : Vec3(x[face[2]] - x[face[0]]);
-  return 0.5 * a.cross(b);
-}
-
-/// The faces of sliding markers at an edge.
-struct EdgeSides {
-  int faces = 0;
-  Index marker = -1;
-  Vec3 normal{0, 0, 0};
-  bool feature = true;  // until a second face goes on smoothly
-};
-
+/// Edges of sliding markers of a volume mesh: all but those with two faces of one marker that
+/// include less than the feature angle. Faces of one marker may have opposite directions in the
+/// file.
 std::vector<std::array<Index, 2>> features_of(const Mesh& mesh, const SlideOptions& slide) {
-  std::map<std::array<Index, 2>, EdgeSides> edges;
+  const Markers& markers = mesh.topology->markers();
+  std::vector<SurfaceFace> faces;
+  for (const std::string& name : slide.markers)
+    if (const auto m = markers.find(name))
+      for (const Face& face : markers[at(*m)].faces) faces.push_back({face, -1, -1, *m});
   const SpacePoints x(mesh.coordinates);
+  const auto normal_of = [&](Index f) -> Vec3 {
+    return area_vector(x, faces[at(f)].nodes).normalized();
+  };
   const double most = std::cos(slide.feature_angle * pi / 180);
-  for (const std::string& name : slide.markers) {
-    const auto m = mesh.topology->markers().find(name);
-    if (!m) continue;
-    for (const Face& face : mesh.topology->markers()[at(*m)].faces) {
-      const Vec3 normal = normal_of(x, face).normalized();
-      for (std::size_t k = 0; k < face.size(); ++k) {
-        const auto [low, high] = std::minmax({face[k], face[(k + 1) % face.size()]});
-        EdgeSides& sides = edges[{low, high}];
-        // Faces of one surface look to one side, up to how they were written.
-        const bool smooth =
-            sides.faces == 1 && sides.marker == *m && std::abs(sides.normal.dot(normal)) >= most;
-        ++sides.faces;
-        sides.feature = !smooth;
-        sides.marker = *m;
-        sides.normal = normal;
-      }
-    }
-  }
+  const SurfaceEdges edges = surface_edges(faces);
   std::vector<std::array<Index, 2>> features;
-  for (const auto& [edge, sides] : edges)
-    if (sides.feature) features.push_back(edge);
+  for (Index k = 0; k < edges.faces.rows(); ++k) {
+    const auto around = edges.faces[k];
+    if (around.size() != 2 || faces[at(around[0])].marker != faces[at(around[1])].marker ||
+        !(std::abs(normal_of(around[0]).dot(normal_of(around[1]))) >= most))
+      features.push_back(edges.nodes[at(k)]);
+  }
   return features;
 }
 
-/// The classes of a boundary that moves so; none where it cannot.
+/// The classes of nodes with these options; none if the boundary cannot move so.
 std::optional<NodeClasses> classes_of(const Mesh& mesh, const SlideOptions& slide,
                                       const std::vector<std::string>& moving, NodeRoles& out) {
   NodeClasses classes(mesh.topology);
@@ -107,29 +89,23 @@ std::vector<unsigned char> marked(const Mesh& mesh, const std::vector<std::strin
   return flags;
 }
 
-/// Nodes that were named do as they were told; others are left as they were found.
+/// Sets the roles of nodes that the options name, and counts all roles.
 void set_overridden(const SlideOptions& slide, NodeRoles& out) {
   const auto known = [&](Index node) { return node >= 0 && at(node) < out.roles.size(); };
   for (const std::vector<Index>* nodes : {&slide.hold_nodes, &slide.smooth_nodes})
     std::ranges::copy_if(*nodes, std::back_inserter(out.overridden), known);
-  std::ranges::sort(out.overridden);
-  out.overridden.erase(std::unique(out.overridden.begin(), out.overridden.end()),
-                       out.overridden.end());
-  for (const Index node : slide.hold_nodes) {
-    if (!known(node) || out.roles[at(node)] == NodeRole::moves) continue;
-    --out.counts[static_cast<std::size_t>(out.roles[at(node)])];
-    out.roles[at(node)] = NodeRole::held;
-    ++out.counts[static_cast<std::size_t>(NodeRole::held)];
-  }
+  sort_unique(out.overridden);
+  for (const Index node : slide.hold_nodes)
+    if (known(node) && out.roles[at(node)] != NodeRole::moves) out.roles[at(node)] = NodeRole::held;
+  for (const NodeRole role : out.roles) ++out.counts[static_cast<std::size_t>(role)];
 }
 
-/// Nodes of a surface mesh: all slide but for those on feature lines, or at corners of these.
+/// Roles in a surface mesh: all nodes slide, except those on feature lines and at their corners.
 NodeRoles surface_roles(const MeshState& state, const SlideOptions& slide) {
   const Topology& topology = *state.mesh.topology;
   NodeRoles out;
   NodeClasses classes(state.mesh.topology);
-  // A node that is held though it could slide, so that a sphere has one place to go to, is no
-  // corner.
+  // A node that could slide and is held, to fix the rotation of a sphere, is no corner.
   std::vector<unsigned char> could_slide(at(topology.node_count()), 0);
   try {
     const auto shape = surface_shape(state, slide);
@@ -147,7 +123,6 @@ NodeRoles surface_roles(const MeshState& state, const SlideOptions& slide) {
     out.roles.push_back(topology.used(node)
                             ? role_of(classes[node], false, could_slide[at(node)] == 0)
                             : NodeRole::fixed);
-    ++out.counts[static_cast<std::size_t>(out.roles.back())];
   }
   set_overridden(slide, out);
   const std::vector<SurfaceFace> faces = boundary_faces(topology);
@@ -181,10 +156,9 @@ NodeRoles node_roles(const Mesh& mesh, const SlideOptions& slide,
     out.roles[i] = moved[i] != 0
                        ? NodeRole::moves
                        : role_of(classes[node], classes.tied().has_image(node), sliding[i] != 0);
-    ++out.counts[static_cast<std::size_t>(out.roles[i])];
   }
   set_overridden(slide, out);
-  if (mesh.coordinates.dimension() == 3) out.features = features_of(mesh, slide);
+  if (mesh.topology->kind() == MeshKind::volume) out.features = features_of(mesh, slide);
   return out;
 }
 

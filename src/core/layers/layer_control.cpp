@@ -4,11 +4,7 @@ namespace winslow {
 
 namespace {
 
-double angle_between(const Vec2& a, const Vec2& b) {
-  return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b));
-}
-
-/// Scales angles to fill the circle, none of them above `most`.
+/// Scales angles to a sum of 360 degrees, with none above `most`.
 void fill_circle(std::vector<double>& angles, double most) {
   const double scale = 2 * pi / std::accumulate(angles.begin(), angles.end(), 0.0);
   double above = 0, below = 0;
@@ -27,7 +23,7 @@ void fill_circle(std::vector<double>& angles, double most) {
   }
 }
 
-/// Corners within this of a right angle are to be right; radians.
+/// Corners of quadrilaterals within this angle (radians) of a right angle become right angles.
 constexpr double nearly_right = radians(10);
 
 /// Angles and lengths of the VCVs of layers' nodes.
@@ -36,9 +32,10 @@ class Stencils {
   Stencils(const Topology& topology, const LayerStack& stack, const Coordinates& x)
       : topology_(topology), stack_(stack), straight_(straight_columns(stack, x)) {}
 
-  /// Right angles at quadrilaterals; where straight columns have none, where the wall turns, in
-  /// fans and in triangles, the angles that they have; of columns on a course of their own all
-  /// angles are those that they have. What is left belongs to the elements outside.
+  /// Angles at a node. Corners of quadrilaterals have right angles if those of straight columns are
+  /// nearly right; other corners (where the wall turns, in fans, in triangles), and all corners of
+  /// columns with a course of their own, have the angles of straight_. The elements outside share
+  /// the rest of the circle.
   std::vector<double> angles(Index node, bool own_course) const {
     const auto row = topology_.neighbours(node);
     const auto star = topology_.star(node);
@@ -52,7 +49,7 @@ class Stencils {
         ++outside;
       } else {
         const Vec2 p = straight_.xy(node);
-        angle = angle_between(straight_.xy(a) - p, straight_.xy(b) - p);
+        angle = std::abs(turn_between(straight_.xy(a) - p, straight_.xy(b) - p));
         const bool quad = topology_.element_type(star[k]) == ElementType::quadrilateral;
         if (quad && !own_course && std::abs(angle - pi / 2) < nearly_right) angle = pi / 2;
       }
@@ -68,8 +65,8 @@ class Stencils {
     return angles;
   }
 
-  /// Of the node at a level (1: above the wall) of a column. Edges to the elements outside are as
-  /// long as those along the rim.
+  /// Lengths at the node of a column at a level (1: first above the wall). Edges outside the layers
+  /// have the mean length of the edges along the rim.
   std::vector<double> lengths(const LayerColumn& column, std::size_t level) const {
     const Index node = column.nodes[level];
     const auto row = topology_.neighbours(node);
@@ -150,7 +147,7 @@ std::shared_ptr<const ElementRoles> layer_roles(const Topology& topology, const 
   };
   for (const LayerColumn& column : stack.columns) {
     keep_outside(column.rim());
-    // Neighbours of a column that was found may end lower.
+    // Neighbours of a column that was found may have fewer layers.
     if (!column.bends.empty()) std::ranges::for_each(column.nodes, keep_outside);
   }
   return roles;

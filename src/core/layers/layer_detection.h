@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/layers/layer_climb.h"
 #include "core/layers/layer_plan.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
@@ -12,20 +11,32 @@
 ///     const winslow::LayerStack found = winslow::detect_layers(mesh, options);
 namespace winslow {
 
-/// Finds the layers that a mesh has at walls (climb_layers says which elements count). Heights are
-/// those that the layers have (#layers of each column), with `asked` their thickness. Those of
-/// extent `stretched` keep the course of their columns (LayerColumn::bends); the others are to be
-/// straight. x: #nodes by 2. Throws UsageError: an unknown marker; no layers at any of the walls,
-/// and why.
+/// Which elements at a wall are its layers.
+enum class LayerExtent {
+  connected,  ///< whole rows of quadrilaterals along all of a wall
+  /// In each strip quadrilaterals or pairs of triangles that are stretched along the wall and whose
+  /// heights grow steadily away from it. docs/layers.md has the rules.
+  stretched
+};
+
+/// Finds the columns of the layers that a mesh has at walls, with their nodes and the reasons why
+/// they end, the pairs of columns, and the layer of each element; no heights and directions.
+/// Columns may have no layer. Throws UsageError as find_wall_chains() does.
+LayerStack climb_layers(const Mesh& mesh, const LayerOptions& options, LayerExtent extent);
+
+/// Finds the layers that a mesh has at walls. Wanted heights are the present ones (#layers of each
+/// column), and `asked` is their sum. Columns of extent `stretched` keep their course
+/// (LayerColumn::bends), others become straight. Throws UsageError for an unknown marker, and, with
+/// the reason, if there are no layers at any of the walls.
 LayerStack detect_layers(const Mesh& mesh, const LayerOptions& options,
                          LayerExtent extent = LayerExtent::stretched);
 
-/// Gives detected layers the heights that the options ask for, as many as there are layers; where
-/// that takes more room than there is, as plan_layers() does.
+/// Gives detected layers the wanted heights of the options; their number stays. Where there is not
+/// enough room for them, heights are those of plan_layers().
 void respace_layers(LayerStack& stack, const Mesh& mesh, const LayerOptions& options);
 
-/// Layers found at some walls together with the known ones of all other walls, which stay as they
-/// are. Both are of this topology, `known` perhaps of one with fewer elements, numbered alike.
+/// Adds the known layers of other walls, unchanged, to layers found at some walls. Both are of this
+/// topology; `known` may be of one with fewer elements that have the same numbers.
 LayerStack with_other_layers(LayerStack found, const LayerStack& known, const Topology& topology);
 
 }  // namespace winslow

@@ -9,11 +9,11 @@ namespace winslow {
 
 namespace {
 
-/// Where the columns of one wall node stand in the list, in the order along the wall.
+/// The range of the columns on one wall node, in the order along the wall.
 struct Fan {
   std::size_t first = 0, last = 0;
-  /// Between column first + k and the next one: the place among the node's neighbours at which its
-  /// star is split.
+  /// The star of the node is split at one edge between column first + k and the next one: its place
+  /// among the neighbours of the node.
   std::vector<Index> spokes;
 };
 
@@ -73,7 +73,7 @@ class Inserter {
     }
   }
 
-  /// The inner edge of a wall node that points most nearly in a direction.
+  /// The interior edge of a wall node nearest to a direction.
   Index spoke_towards(Index node, const Vec2& direction) const {
     const auto row = topology_.neighbours(node);
     Index best = 1;
@@ -88,18 +88,16 @@ class Inserter {
     return best;
   }
 
-  /// What stands in for a node in an element outside: the rim of the column in whose sector the
-  /// element lies.
+  /// The node that replaces a wall node in an element outside: the rim of the column in whose
+  /// sector the element lies.
   Index stand_in(Index node, Index element) const {
     const auto it = fans_.find(node);
     if (it == fans_.end()) return node;
     const Fan& fan = it->second;
     std::size_t column = fan.last;
     if (!fan.spokes.empty()) {
-      const auto star = topology_.star(node);
-      const auto k =
-          static_cast<Index>(std::find(star.begin(), star.end(), element) - star.begin());
-      // Stars go counter-clockwise, from the next wall node to the previous one.
+      const auto k = static_cast<Index>(index_of(topology_.star(node), element));
+      // The star is counter-clockwise, from the next wall node to the previous one.
       for (const Index spoke : fan.spokes) column -= spoke <= k ? 1 : 0;
     }
     return stack_.columns[column].rim();
@@ -129,16 +127,12 @@ class Inserter {
         const Index left = stack_.columns[fan.first + k].rim();
         const Index right = stack_.columns[fan.first + k + 1].rim();
         const Index spoke = topology_.neighbours(node)[at(fan.spokes[k])];
-        const std::array<Index, 3> corners{left, right, far_end(spoke, node, fan.spokes[k])};
-        add_element(corners, region_of(topology_.star(node)[at(fan.spokes[k])]));
+        const Index element = topology_.star(node)[at(fan.spokes[k])];
+        // The other end of the spoke may be on another wall.
+        const std::array<Index, 3> corners{left, right, stand_in(spoke, element)};
+        add_element(corners, region_of(element));
       }
     }
-  }
-
-  /// The other end of a split edge: a node that keeps its place, or, where the edge runs to another
-  /// wall, the rim there.
-  Index far_end(Index spoke, Index node, Index k) const {
-    return stand_in(spoke, topology_.star(node)[at(k)]);
   }
 
   /// The elements between two columns.
@@ -167,7 +161,7 @@ class Inserter {
     }
   }
 
-  /// The boundary edge on which an end column lies is divided by the column's nodes.
+  /// Divides the boundary edges on which end columns lie, by the nodes of these columns.
   void move_markers() {
     std::map<std::array<Index, 2>, const LayerColumn*> divided;
     for (const LayerColumn& column : stack_.columns) {
@@ -182,7 +176,7 @@ class Inserter {
       divided[{column.wall_node, other}] = &column;
     }
     if (!topology_.markers().from_file()) return;
-    // From a node of a boundary edge up along the column that divides it there, if one does.
+    // From a node of a boundary edge along the column on it, if there is one.
     const auto up = [&](Index from, Index to) {
       const auto found = divided.find({from, to});
       return found == divided.end() ? std::vector<Index>{from} : found->second->nodes;
@@ -201,8 +195,8 @@ class Inserter {
     }
   }
 
-  /// The elements so far, with those marker edges that are theirs and lie inside: nodes on them are
-  /// held there, too.
+  /// The elements so far, with the interior edges of markers, whose nodes are held in this mesh,
+  /// too.
   MeshData outside_data() const {
     MeshData outside = data_;
     outside.markers.clear();

@@ -1,20 +1,19 @@
 #include "core/layers/layer_plan.h"
 
 #include "core/error.h"
-#include "core/layers/clearance.h"
 #include "core/layers/wall_chain.h"
 
 namespace winslow {
 
 namespace {
 
-/// What a column of layers is to be before room is looked at.
+/// The wanted layers of a column, regardless of the room for them.
 struct Wish {
   double first = 0, thickness = 0;
   int wall = 0;
 };
 
-/// Plans one chain: its columns, in order, behind those of the chains before.
+/// Plans the columns of one chain and appends them to those of the chains before, in order.
 class ChainPlanner {
  public:
   ChainPlanner(const Mesh& mesh, const LayerOptions& options, const WallChain& chain)
@@ -31,7 +30,7 @@ class ChainPlanner {
   }
 
  private:
-  Vec2 at(Index node) const { return mesh_.coordinates.xy(node); }
+  Vec2 xy(Index node) const { return mesh_.coordinates.xy(node); }
   Index previous(std::size_t i) const {
     if (i > 0) return chain_.nodes[i - 1];
     return chain_.closed ? chain_.nodes.back() : chain_.before;
@@ -44,27 +43,25 @@ class ChainPlanner {
     return !chain_.closed && (i == 0 || i + 1 == chain_.nodes.size());
   }
 
-  /// Length of wall at a node: the mean of its edges that belong to the chain.
+  /// Mean length of the edges of the chain at a node.
   double spacing_at(std::size_t i) const {
-    const Vec2 p = at(chain_.nodes[i]);
-    const double back = (p - at(previous(i))).norm(), forth = (at(next(i)) - p).norm();
+    const Vec2 p = xy(chain_.nodes[i]);
+    const double back = (p - xy(previous(i))).norm(), forth = (xy(next(i)) - p).norm();
     if (chain_.closed) return 0.5 * (back + forth);
     if (i == 0) return forth;
     return i + 1 == chain_.nodes.size() ? back : 0.5 * (back + forth);
   }
 
   Wish wish_of(int wall, std::size_t i) const {
-    const LayerSpacing& spacing = options_.walls[static_cast<std::size_t>(wall)].spacing;
-    Wish wish{spacing.first, 0, wall};
+    const LayerSpacing& spacing = options_.walls[at(wall)].spacing;
     const auto heights = spacing.match_outside
                              ? layer_heights_ending_with(spacing, std::sqrt(0.75) * spacing_at(i))
                              : layer_heights(spacing);
-    for (const double h : heights) wish.thickness += h;
-    return wish;
+    return {spacing.first, sum_of(heights), wall};
   }
 
-  /// Wishes of all nodes. Where two walls meet, heights go over into one another along the wall:
-  /// by diffusion of their logarithms, which leaves them as they are elsewhere.
+  /// Sets the wishes of all nodes. Where two walls meet, heights change smoothly along the wall by
+  /// diffusion of their logarithms, which does not change constant heights.
   void make_wishes() {
     const std::size_t n = chain_.nodes.size();
     const std::size_t edges = chain_.edge_count();
@@ -77,8 +74,7 @@ class ChainPlanner {
       if (a != b) {
         several = true;
         const Wish other = wish_of(b, i);
-        const bool more = options_.walls[static_cast<std::size_t>(b)].spacing.count >
-                          options_.walls[static_cast<std::size_t>(a)].spacing.count;
+        const bool more = options_.walls[at(b)].spacing.count > options_.walls[at(a)].spacing.count;
         wish = {std::sqrt(wish.first * other.first), std::sqrt(wish.thickness * other.thickness),
                 more ? b : a};
       }
@@ -103,8 +99,8 @@ class ChainPlanner {
   }
 
   void add_columns(std::size_t i, LayerStack& stack) const {
-    const Vec2 p = at(chain_.nodes[i]);
-    const Vec2 back = at(previous(i)) - p, forth = at(next(i)) - p;
+    const Vec2 p = xy(chain_.nodes[i]);
+    const Vec2 back = xy(previous(i)) - p, forth = xy(next(i)) - p;
     LayerColumn column;
     column.wall_node = chain_.nodes[i];
     column.wall = wishes_[i].wall;
@@ -145,8 +141,8 @@ class ChainPlanner {
     return static_cast<std::size_t>(std::max(1L, sectors)) + 1;
   }
 
-  /// The column at an end of the wall lies on the boundary that follows, if that goes off upwards;
-  /// else the layers run out in a wedge.
+  /// Adds the column at an end of the wall. It lies on the next boundary if the angle there is
+  /// between 30 and 150 degrees; else it has no layers, and the layers of the wall end in a wedge.
   static void add_end(double angle, const Vec2& other, LayerColumn column,
                       const ColumnOverride* own, LayerStack& stack) {
     if (own && own->columns && *own->columns > 1) {
@@ -172,14 +168,14 @@ class ChainPlanner {
   std::vector<Wish> wishes_;
 };
 
-/// Gives columns the room that there is. Every rule only takes room, so they can be applied again
-/// and again, in any order.
+/// Limits the room of columns. Rules only reduce the room, so they can be applied repeatedly and in
+/// any order.
 class RoomKeeper {
  public:
   RoomKeeper(LayerStack& stack, const LayerOptions& options, const Coordinates& x)
       : columns_(stack.columns), pairs_(stack.pairs), options_(options), x_(x) {}
 
-  /// Layers on both sides of a gap leave a part of it between them.
+  /// Limits layers on both sides of a gap to their shares of its width.
   void keep_clear(const Topology& topology) {
     double tallest = 0;
     for (const LayerColumn& c : columns_) tallest = std::max(tallest, c.room * c.slant);
@@ -192,24 +188,21 @@ class RoomKeeper {
     }
   }
 
-  /// Columns that lean towards one another leave a part of their wall edge between their tips, and
-  /// the change of thickness along the wall is gentle. One rule may call for the other.
+  /// Limits columns that lean towards each other, so that their tips leave a part of the wall edge,
+  /// and limits the change of thickness along the wall. Each limit may require another one, so the
+  /// pairs are swept until nothing changes.
   void keep_gentle() {
-    constexpr int sweeps = 100;
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
+    sweep_pairs(pairs_, [&](const ColumnPair& pair) {
       changed_ = false;
-      for (const ColumnPair& pair : pairs_) settle(columns_[pair.left], columns_[pair.right]);
-      for (auto pair = pairs_.rbegin(); pair != pairs_.rend(); ++pair) {
-        settle(columns_[pair->left], columns_[pair->right]);
-      }
-      if (!changed_) return;
-    }
+      settle(columns_[pair.left], columns_[pair.right]);
+      return changed_;
+    });
   }
 
-  /// Distributes the heights over the room.
+  /// Sets the heights of all columns to fit their room.
   void distribute() {
     for (LayerColumn& c : columns_) {
-      LayerSpacing spacing = options_.walls[static_cast<std::size_t>(c.wall)].spacing;
+      LayerSpacing spacing = options_.walls[at(c.wall)].spacing;
       spacing.first = c.first;
       if (options_.scale_all && c.room > 0) {
         c.heights = layer_heights_within(spacing, c.asked);
@@ -223,7 +216,7 @@ class RoomKeeper {
  private:
   void limit(LayerColumn& column, double room, LayerLimit reason) {
     if (column.prescribed) return;
-    // A hair's breadth is no reason to go round again.
+    // Round-off is no reason for another sweep.
     if (!(room < column.room * (1 - 1e-9))) return;
     column.room = room;
     column.limit = reason;
@@ -237,7 +230,7 @@ class RoomKeeper {
     limit(a, b.room + step, LayerLimit::neighbour);
     limit(b, a.room + step, LayerLimit::neighbour);
     if (length == 0) return;
-    // What each tip takes of the edge.
+    // The part of the edge that each column covers.
     const double of_a = std::max(0.0, a.room * a.slant * a.direction.dot(edge) / length);
     const double of_b = std::max(0.0, -b.room * b.slant * b.direction.dot(edge) / length);
     const double most = (1 - options_.crossing) * length;
@@ -254,7 +247,7 @@ class RoomKeeper {
   bool changed_ = false;
 };
 
-/// Columns of a fan that has no room for layers are one.
+/// Replaces the columns of a fan without room for layers by one column.
 void collapse_empty_fans(LayerStack& stack) {
   for (std::size_t p = 0; p < stack.pairs.size();) {
     const auto [left, right] = stack.pairs[p];
@@ -286,7 +279,7 @@ LayerOptions with_counts(LayerOptions options, const Mesh& mesh) {
     for (const std::string& name : wall.markers) {
       const auto marker = mesh.topology->markers().find(name);
       if (!marker) continue;
-      for (const Face& edge : mesh.topology->markers()[static_cast<std::size_t>(*marker)].faces) {
+      for (const Face& edge : mesh.topology->markers()[at(*marker)].faces) {
         const auto [a, b] = edge.edge();
         const Vec2 p = mesh.coordinates.xy(a), q = mesh.coordinates.xy(b);
         if (wall.part.holds(p) && wall.part.holds(q)) lengths.push_back((q - p).norm());
@@ -328,8 +321,8 @@ LayerStack plan_layers(const Mesh& mesh, const LayerOptions& given) {
   return stack;
 }
 
-void take_room(LayerStack& stack, const std::vector<std::size_t>& columns, double factor,
-               LayerLimit limit, const LayerOptions& options, const Coordinates& x) {
+void reduce_room(LayerStack& stack, const std::vector<std::size_t>& columns, double factor,
+                 LayerLimit limit, const LayerOptions& options, const Coordinates& x) {
   for (const std::size_t c : columns) {
     stack.columns[c].room *= factor;
     stack.columns[c].limit = limit;
@@ -408,6 +401,194 @@ OptionTable option_table(LayerOptions& options) {
        .help = "Where there is less room than asked, make all layers thinner, the first as well, "
                "instead of the outer ones"},
   };
+}
+
+namespace {
+
+/// Fits the heights of columns to walls that have moved.
+class Fitting {
+ public:
+  Fitting(const LayerStack& stack, const Topology& topology, const Coordinates& x,
+          const Coordinates& moved)
+      : stack_(stack), topology_(topology), x_(x), moved_(moved) {}
+
+  LayerStack fit() {
+    const auto stands = column_stands(stack_, moved_);
+    for (std::size_t c = 0; c < stack_.columns.size(); ++c) {
+      LayerColumn& column = stack_.columns[c];
+      before_.push_back({column.direction, column.slant});
+      column.direction = stands[c].direction;
+      column.slant = stands[c].slant;
+      granted_.push_back(sum_of(column.granted.empty() ? column.heights : column.granted));
+      room_.push_back(granted_.back());
+      limits_.push_back(LayerLimit::none);
+    }
+    keep_clear();
+    keep_gentle();
+    for (std::size_t c = 0; c < stack_.columns.size(); ++c) distribute(c);
+    return std::move(stack_);
+  }
+
+ private:
+  void limit(std::size_t c, double room, LayerLimit reason) {
+    if (stack_.columns[c].prescribed || !(room < room_[c] * (1 - 1e-9))) return;
+    room_[c] = room;
+    limits_[c] = reason;
+    changed_ = true;
+  }
+
+  /// Limits columns to the share of a gap that the rules of insertion give, or to the share that
+  /// they have if they were inserted by other rules.
+  void keep_clear() {
+    const double share = LayerOptions{}.clearance;
+    double tallest = 0;
+    for (std::size_t c = 0; c < room_.size(); ++c) {
+      tallest = std::max(tallest, room_[c] * std::max(stack_.columns[c].slant, before_[c].slant));
+    }
+    if (tallest == 0) return;
+    const double reach = tallest / (2 * share);
+    const Clearance earlier(topology_, x_, reach), now(topology_, moved_, reach);
+    for (std::size_t c = 0; c < room_.size(); ++c) {
+      const LayerColumn& column = stack_.columns[c];
+      if (column.along_boundary || column.count() == 0) continue;
+      double own = share;
+      if (column.granted.empty()) {
+        const double width = 2 * earlier.radius(column.wall_node, before_[c].direction);
+        own = std::max(own, room_[c] * before_[c].slant / width);
+      }
+      const double width = 2 * now.radius(column.wall_node, column.direction);
+      limit(c, own * width / column.slant, LayerLimit::clearance);
+    }
+  }
+
+  /// Limits the change of thickness along the wall to that of the rules of insertion, or to the one
+  /// before.
+  void keep_gentle() {
+    const double steepest = LayerOptions{}.steepest;
+    const auto settle = [&](std::size_t a, std::size_t b) {
+      const double length =
+          (moved_.xy(stack_.columns[a].wall_node) - moved_.xy(stack_.columns[b].wall_node)).norm();
+      const double step = std::max(steepest * length, granted_[a] - granted_[b]);
+      limit(a, room_[b] + step, LayerLimit::neighbour);
+    };
+    sweep_pairs(stack_.pairs, [&](const ColumnPair& pair) {
+      changed_ = false;
+      settle(pair.left, pair.right);
+      settle(pair.right, pair.left);
+      return changed_;
+    });
+  }
+
+  void distribute(std::size_t c) {
+    LayerColumn& column = stack_.columns[c];
+    if (column.count() == 0) return;
+    if (limits_[c] == LayerLimit::none) {  // the granted heights again
+      if (column.granted.empty()) return;
+      column.heights = std::move(column.granted);
+      column.granted.clear();
+      column.limit = column.granted_limit;
+    } else {
+      if (column.granted.empty()) {
+        column.granted = column.heights;
+        column.granted_limit = column.limit;
+      }
+      column.heights = thinned(column.granted, room_[c]);
+      column.limit = limits_[c];
+    }
+    column.corrections.clear();  // they were of other heights
+  }
+
+  LayerStack stack_;
+  const Topology& topology_;
+  const Coordinates& x_;
+  const Coordinates& moved_;
+  std::vector<ColumnStand> before_;     // how the columns stood in x
+  std::vector<double> granted_, room_;  // thickness of each column
+  std::vector<LayerLimit> limits_;
+  bool changed_ = false;
+};
+
+}  // namespace
+
+std::vector<double> thinned(std::span<const double> heights, double thickness) {
+  const double first = heights.front(), all = sum_of(heights);
+  const double constant = first * static_cast<double>(heights.size());
+  std::vector<double> result(heights.begin(), heights.end());
+  if (thickness >= all) return result;
+  if (constant >= all || thickness <= constant) {
+    const double share = constant >= all ? thickness / all : thickness / constant;
+    for (double& h : result) h = share * (constant >= all ? h : first);
+    return result;
+  }
+  // Heights first (h / first)^s, with s in [0, 1] for the wanted sum.
+  const auto bent = [&](double s) {
+    std::ranges::transform(heights, result.begin(),
+                           [&](double h) { return first * std::pow(h / first, s); });
+    return sum_of(result);
+  };
+  double low = 0, high = 1;
+  constexpr int halvings = 60;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (bent(middle) > thickness ? high : low) = middle;
+  }
+  bent(low);
+  return result;
+}
+
+LayerStack fitted_layers(const LayerStack& stack, const Topology& topology, const Coordinates& x,
+                         const Coordinates& moved) {
+  require_plane(topology, "layers");
+  return Fitting(stack, topology, x, moved).fit();
+}
+
+namespace {
+
+/// Columns with an inverted element between them.
+std::vector<std::size_t> crossing_columns(const LayerStack& stack, const Coordinates& x) {
+  const auto points = [&](const LayerColumn& column) {
+    std::vector<Vec2> all{x.xy(column.wall_node)};
+    for (std::size_t k = 0; k < column.count(); ++k) {
+      all.push_back(all.back() + wanted_length(column, k) * column.direction);
+    }
+    return all;
+  };
+  std::vector<std::size_t> crossing;
+  for (const ColumnPair& pair : stack.pairs) {
+    const auto a = points(stack.columns[pair.left]), b = points(stack.columns[pair.right]);
+    bool good = true;
+    for (std::size_t k = 0; k + 1 < std::max(a.size(), b.size()) && good; ++k) {
+      // The element is a triangle at the rim of a shorter column and at the wall in a fan.
+      std::vector<Vec2> corners{a[std::min(k, a.size() - 1)], b[std::min(k, b.size() - 1)]};
+      if (corners[0] == corners[1]) corners.pop_back();
+      if (k + 1 < b.size()) corners.push_back(b[k + 1]);
+      if (k + 1 < a.size()) corners.push_back(a[k + 1]);
+      const std::size_t n = corners.size();
+      for (std::size_t c = 0; c < n; ++c) {
+        const Vec2 next = corners[(c + 1) % n] - corners[c];
+        const Vec2 previous = corners[(c + n - 1) % n] - corners[c];
+        good = good && cross(next, previous) > 0;
+      }
+    }
+    if (good) continue;
+    crossing.push_back(pair.left);
+    crossing.push_back(pair.right);
+  }
+  sort_unique(crossing);
+  return crossing;
+}
+
+}  // namespace
+
+LayerStack sound_plan(const Mesh& mesh, const LayerOptions& options) {
+  constexpr int most_rounds = 60;
+  LayerStack stack = plan_layers(mesh, options);
+  for (int round = 0; round < most_rounds; ++round) {
+    const auto crossing = crossing_columns(stack, mesh.coordinates);
+    if (crossing.empty()) break;
+    reduce_room(stack, crossing, 0.8, LayerLimit::crossing, options, mesh.coordinates);
+  }
+  return stack;
 }
 
 }  // namespace winslow

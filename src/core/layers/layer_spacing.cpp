@@ -20,12 +20,8 @@ std::vector<double> heights(const LayerSpacing& spacing, double scale) {
   return all;
 }
 
-double sum(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
-/// The scale of the ratios at which `measure` of the heights, which grows with it, is `wanted`;
-/// bisection between two scales that lie on both sides.
+/// The scale of the ratios for which measure(heights), which grows with the scale, is `wanted`. By
+/// bisection.
 template <typename Measure>
 double scale_for(const LayerSpacing& spacing, double wanted, double low, const Measure& measure) {
   double high = std::max(2 * low, 1.0);
@@ -37,8 +33,7 @@ double scale_for(const LayerSpacing& spacing, double wanted, double low, const M
   return 0.5 * (low + high);
 }
 
-/// Scale of the ratios that makes the thinnest layers: the smallest ratio 1, or as it is if it is
-/// less.
+/// Smallest allowed scale of the ratios: it makes the smallest ratio 1, or keeps it if it is less.
 double gentlest(const LayerSpacing& spacing) {
   const double last = spacing.ratio * std::pow(spacing.growth, std::max(spacing.count - 2, 0));
   return std::min(1.0, 1 / std::min(spacing.ratio, last));
@@ -60,7 +55,7 @@ void validate(const LayerSpacing& s) {
 std::vector<double> layer_heights(const LayerSpacing& spacing) {
   validate(spacing);
   if (!spacing.total) return heights(spacing, 1);
-  const double least = sum(heights(spacing, gentlest(spacing)));
+  const double least = sum_of(heights(spacing, gentlest(spacing)));
   if (spacing.count == 1) {
     LayerSpacing one = spacing;
     one.first = *spacing.total;
@@ -70,15 +65,15 @@ std::vector<double> layer_heights(const LayerSpacing& spacing) {
           std::to_string(spacing.count) + " layers, the first " + std::to_string(spacing.first) +
               " high, are at least " + std::to_string(least) + " thick; asked for " +
               std::to_string(*spacing.total));
-  return heights(spacing, scale_for(spacing, *spacing.total, 0.5 * gentlest(spacing), sum));
+  return heights(spacing, scale_for(spacing, *spacing.total, 0.5 * gentlest(spacing), sum_of));
 }
 
 std::vector<double> layer_heights_within(const LayerSpacing& spacing, double thickness) {
   LayerSpacing s = spacing;
   const double least = gentlest(s);
-  while (s.count > 0 && sum(heights(s, least)) > thickness * (1 + 1e-12)) --s.count;
+  while (s.count > 0 && sum_of(heights(s, least)) > thickness * (1 + 1e-12)) --s.count;
   if (s.count < 2 || s.count < spacing.count) return heights(s, least);
-  return heights(s, scale_for(s, thickness, least, sum));
+  return heights(s, scale_for(s, thickness, least, sum_of));
 }
 
 std::vector<double> layer_heights_ending_with(const LayerSpacing& spacing, double last) {

@@ -28,7 +28,7 @@ void lay_out(const LayerColumn& column, const ColumnStand& stand, double scale, 
   }
 }
 
-/// The columns beside each one; none at the end of a wall.
+/// The neighbours of a column; none at the end of a wall.
 struct Beside {
   std::optional<std::size_t> left, right;
 };
@@ -58,9 +58,8 @@ std::string_view end_name(LayerEnd end) {
 }
 
 std::vector<ColumnStand> stand_on(const Vec2& arriving, const Vec2& leaving, std::size_t count) {
-  // Positive where the wall turns away from the elements: a convex corner.
-  const double turning =
-      -std::atan2(arriving.x() * leaving.y() - arriving.y() * leaving.x(), arriving.dot(leaving));
+  // Positive at a convex corner, where the wall turns away from the elements.
+  const double turning = -turn_between(arriving, leaving);
   const Vec2 normal = Vec2(-arriving.y(), arriving.x()).normalized();
   std::vector<ColumnStand> stands;
   if (count == 1) {
@@ -95,7 +94,7 @@ std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinate
       stands[c] = stand_on(along, along, 1).front();
       continue;
     }
-    if (!beside[c].left || same_node(beside[c].left, c)) continue;  // an end, or not a fan's first
+    if (!beside[c].left || same_node(beside[c].left, c)) continue;  // not the first of a fan
     std::vector<std::size_t> fan{c};
     while (same_node(beside[fan.back()].right, c)) fan.push_back(*beside[fan.back()].right);
     if (!beside[fan.back()].right) continue;
@@ -117,7 +116,7 @@ Coordinates straight_columns(const LayerStack& stack, const Coordinates& x) {
   const std::vector<ColumnStand> stands = column_stands(stack, x);
   for (std::size_t c = 0; c < stack.columns.size(); ++c) {
     const LayerColumn& column = stack.columns[c];
-    // One that was found on a boundary has the course of that boundary, wherever this is now.
+    // A column that was found on a boundary keeps the course of that boundary.
     if (column.along_boundary && !column.bends.empty()) continue;
     lay_out(column, stands[c], 1, straight);
   }
@@ -153,6 +152,67 @@ void require_columns(std::span<const ColumnOverride> overrides, const LayerStack
     throw UsageError("node " + std::to_string(own.node) +
                      " is given columns of its own, but is on none of the walls");
   }
+}
+
+namespace {
+
+/// Normal of the wall at each column: the sum of the unit normals of its wall edges; zero inside a
+/// fan.
+std::vector<Vec2> wall_normals(const LayerStack& stack, const Coordinates& x) {
+  std::vector<Vec2> normals(stack.columns.size(), Vec2(0, 0));
+  for (const ColumnPair& pair : stack.pairs) {
+    const Vec2 edge =
+        x.xy(stack.columns[pair.right].wall_node) - x.xy(stack.columns[pair.left].wall_node);
+    if (edge.squaredNorm() == 0) continue;
+    const Vec2 normal = Vec2(-edge.y(), edge.x()).normalized();
+    normals[pair.left] += normal;
+    normals[pair.right] += normal;
+  }
+  return normals;
+}
+
+ColumnMeasure measure(const LayerColumn& column, const Vec2& normal, const Coordinates& x) {
+  ColumnMeasure m;
+  for (std::size_t k = 0; k < column.count(); ++k) {
+    const double length = (x.xy(column.nodes[k + 1]) - x.xy(column.nodes[k])).norm();
+    const double error = std::abs(length / wanted_length(column, k) - 1);
+    m.spacing_error = std::max(m.spacing_error, error);
+    m.thickness += length / column.slant;
+    if (k > 0) continue;
+    m.first_error = error;
+    m.first_height = length / column.slant;
+  }
+  if (column.count() > 0 && normal.squaredNorm() > 0 && !column.along_boundary) {
+    const Vec2 first = x.xy(column.nodes[1]) - x.xy(column.nodes[0]);
+    m.tilt = degrees(std::abs(turn_between(first, normal)));
+  }
+  return m;
+}
+
+}  // namespace
+
+bool cut_short(const LayerColumn& column) { return column.thickness() < column.asked * (1 - 1e-3); }
+
+LayerMeasures measure_layers(const LayerStack& stack, const Coordinates& x) {
+  LayerMeasures m;
+  const std::vector<Vec2> normals = wall_normals(stack, x);
+  for (std::size_t c = 0; c < stack.columns.size(); ++c) {
+    m.columns.push_back(measure(stack.columns[c], normals[c], x));
+    if (cut_short(stack.columns[c])) ++m.cut_short;
+  }
+  const auto all = [](const ColumnMeasure& c) { return c.thickness > 0; };
+  const auto of = [&](double ColumnMeasure::*member, const auto& counts) {
+    std::vector<double> values;
+    for (const ColumnMeasure& column : m.columns)
+      if (counts(column)) values.push_back(column.*member);
+    return statistics_of(values);
+  };
+  m.first_height = of(&ColumnMeasure::first_height, all);
+  m.thickness = of(&ColumnMeasure::thickness, all);
+  m.spacing_error = of(&ColumnMeasure::spacing_error, all);
+  m.first_error = of(&ColumnMeasure::first_error, all);
+  m.orthogonality = of(&ColumnMeasure::tilt, [](const ColumnMeasure& c) { return c.tilt >= 0; });
+  return m;
 }
 
 }  // namespace winslow

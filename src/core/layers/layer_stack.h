@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mesh/mesh.h"
+#include "core/quality/quality.h"
 #include "core/types.h"
 
 /// Columns of layers, as a state has them once they are inserted:
@@ -9,52 +10,52 @@
 ///       std::printf("node %d: %zu layers\n", column.wall_node, column.count());
 namespace winslow {
 
-/// Why a column of layers is thinner than asked, or has fewer layers.
+/// The reason why a column of layers is thinner than asked or has fewer layers.
 enum class LayerLimit {
   none,
-  clearance,  ///< another wall, or another part of the same one, is near
+  clearance,  ///< another wall or another part of the wall is near
   crossing,   ///< neighbouring columns lean towards one another: a concave corner
-  neighbour,  ///< thickness may not change faster along the wall
+  neighbour,  ///< the change of thickness along the wall is limited
   end,        ///< the wall ends here
-  room        ///< the elements outside could be pushed no further
+  room        ///< the elements outside could not be moved further
 };
 std::string_view limit_name(LayerLimit limit);  ///< "clearance", ...
 
-/// Why the layers that a mesh was read with are followed no further from the wall.
+/// The reason why the layers that were found in a mesh end.
 enum class LayerEnd {
-  none,        ///< they were inserted, not found
+  none,        ///< the layers were inserted
   elements,    ///< no quadrilateral or pair of triangles continues the strip
   boundary,    ///< the next node lies on the boundary
   meeting,     ///< the next node belongs to another column
   isotropic,   ///< cells are less than twice as long as high
   growth,      ///< heights no longer grow, or jump
   clearance,   ///< another boundary, or another part of the wall, is near
-  neighbours,  ///< the layers beside them end
-  count        ///< as many as were to be looked for
+  neighbours,  ///< the layers beside end
+  count        ///< the wanted number of layers was found
 };
 std::string_view end_name(LayerEnd end);  ///< "elements", ...
 
-/// The nodes of layers above one place of a wall. At a sharp convex corner several columns stand on
-/// one wall node (a fan).
+/// The nodes of layers above a wall node. A fan at a sharp convex corner has several columns on one
+/// wall node.
 struct LayerColumn {
   Index wall_node = -1;
-  int wall = 0;                 ///< place of its wall in the list of walls
+  int wall = 0;                 ///< index of its wall in the list of walls
   Vec2 direction{0, 0};         ///< unit vector from the wall
-  double slant = 1;             ///< length along the column for each unit of height
+  double slant = 1;             ///< length along the column per unit of height
   bool along_boundary = false;  ///< at the end of a wall: the column lies on the next boundary
-  double first = 0;             ///< height of the first layer that was asked for
-  double asked = 0;             ///< thickness that was asked for, in units of the mesh
-  double room = 0;              ///< thickness that there is room for
+  double first = 0;             ///< height asked for the first layer
+  double asked = 0;             ///< thickness asked for, in units of the mesh
+  double room = 0;              ///< largest possible thickness
   LayerLimit limit = LayerLimit::none;
-  bool prescribed = false;      ///< the thickness is an override: no rule takes of it
+  bool prescribed = false;      ///< the thickness is an override, which no rule reduces
   std::vector<double> heights;  ///< wanted height of each layer; empty: the layers end here
-  /// Heights and limit before walls came so near that there is no room for them; empty: as above.
+  /// Heights and limit before moving walls reduced the room; empty: those above.
   std::vector<double> granted;
   LayerLimit granted_limit = LayerLimit::none;
-  /// What each wanted height is multiplied by in the VCVs so that it is met; empty: 1.
+  /// Factors of the heights in the VCVs, with which the mesh gets the wanted heights; empty: 1.
   std::vector<double> corrections;
-  /// Of a column that was found: angle of each of its edges to `direction`, counter-clockwise, in
-  /// radians (#heights); empty: the column is straight.
+  /// Of a column that was found in the mesh: angle from `direction` to each edge,
+  /// counter-clockwise, radians (#heights); empty: the column is straight.
   std::vector<double> bends;
   LayerEnd end = LayerEnd::none;
   std::vector<Index> nodes;  ///< #heights + 1, the wall node first; filled by insertion
@@ -64,7 +65,7 @@ struct LayerColumn {
   Index rim() const { return nodes.back(); }
 };
 
-/// Two neighbouring columns; along the wall, elements on the left, `left` comes first.
+/// Two neighbouring columns; `left` is the first along the wall with the elements on the left.
 struct ColumnPair {
   std::size_t left = 0, right = 0;
 };
@@ -75,53 +76,96 @@ struct LayerStack {
   std::vector<ColumnPair> pairs;
   /// #elements: layer of each, 0 at the wall; -1 outside the layers. Filled by insertion.
   std::vector<int> layer_of_element;
-  bool held = false;  ///< the VCVs of the layers' nodes ask for the wanted heights
+  bool held = false;  ///< the VCVs of the nodes in layers have the wanted heights
 };
 
-/// Distance that is wanted between nodes k and k + 1 of a column.
+/// Calls settle(pair) for all pairs, forward and backward, until it returns false for all of them
+/// (true: it changed a column); at most 100 times.
+template <class Settle>
+void sweep_pairs(std::span<const ColumnPair> pairs, const Settle& settle) {
+  constexpr int most_sweeps = 100;
+  bool changed = true;
+  for (int sweep = 0; changed && sweep < most_sweeps; ++sweep) {
+    changed = false;
+    for (std::size_t k = 0; k < pairs.size(); ++k) changed |= settle(pairs[k]);
+    for (std::size_t k = pairs.size(); k-- > 0;) changed |= settle(pairs[k]);
+  }
+}
+
+/// Wanted distance between nodes k and k + 1 of a column.
 inline double wanted_length(const LayerColumn& column, std::size_t k) {
   return column.heights[k] * column.slant;
 }
 
-/// How a column stands on its wall.
+/// Direction and slant of a column on its wall.
 struct ColumnStand {
   Vec2 direction{0, 0};  ///< unit vector
-  double slant = 1;      ///< length along the column for each unit of height
+  double slant = 1;      ///< length along the column per unit of height
 };
 
-/// How `count` columns stand on one wall node whose edges, on the way along the wall, are
-/// `arriving` and `leaving` (elements on the left): one halves the angle; several, a fan, stand
-/// from the normal of the one edge to that of the other.
+/// Directions of `count` columns on one wall node. arriving, leaving: its wall edges along the
+/// wall, with the elements on the left. A single column bisects the angle; the columns of a fan are
+/// spread from the normal of one edge to that of the other.
 std::vector<ColumnStand> stand_on(const Vec2& arriving, const Vec2& leaving, std::size_t count);
 
-/// How all columns stand on the walls in x (#nodes by 2). Those at the end of a wall, on another
-/// boundary: along its edge.
+/// Directions of all columns on the walls in x (#nodes by 2). A column at the end of a wall, on the
+/// next boundary, has the direction of the edge there.
 std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinates& x);
 
-/// Puts the nodes of all columns at `scale` times their wanted distances from the wall, in the
-/// columns' directions as planned.
+/// Moves the nodes of all columns to `scale` times their wanted distances from the wall, along the
+/// planned directions.
 void lay_out(const LayerStack& stack, double scale, Coordinates& x);
 
-/// x with all columns of the wanted heights, straight, or on their course if they were found, as
-/// they stand on the walls in x.
+/// x with all nodes of columns at their wanted distances from the walls in x. Columns are straight,
+/// but those that were found in the mesh keep their bends.
 Coordinates straight_columns(const LayerStack& stack, const Coordinates& x);
 
-/// What one place of a wall is to have instead of what the rules would choose for it.
+/// Columns and thickness of one wall node in place of those that the rules choose.
 struct ColumnOverride {
   Index node = -1;             ///< of a wall
-  std::optional<int> columns;  ///< that stand on the node: 1 is no fan
-  /// Of all layers there, in units of the mesh; 0: the layers end there. Gaps, corners and
-  /// neighbours do not limit it (it limits its neighbours); where the wall ends it can only be
-  /// less than the rules say, and a mesh that would be invalid still takes its part.
+  std::optional<int> columns;  ///< number of columns on the node; 1: no fan
+  /// Thickness of all layers there, in units of the mesh; 0: no layers. Gaps, corners and
+  /// neighbours do not limit it, and it limits its neighbours. At the end of a wall it cannot be
+  /// more than the rules allow. It is still reduced where the mesh would be invalid.
   std::optional<double> thickness;
 
   bool operator==(const ColumnOverride&) const = default;
 };
 
-/// Throws UsageError: an override that says nothing, a number out of range, a node given twice.
+/// Throws UsageError for an empty override, a number out of range, or a repeated node.
 void validate(std::span<const ColumnOverride> overrides);
 
-/// Throws UsageError naming a node that has no column in the stack: its override would be lost.
+/// Throws UsageError naming a node of an override that has no column in the stack.
 void require_columns(std::span<const ColumnOverride> overrides, const LayerStack& stack);
+
+/// Measures of the layers of a state:
+///
+///     const auto measures = winslow::measure_layers(*state.layers, state.mesh.coordinates);
+///     std::printf("heights off by %.2f %% at most\n", 100 * measures.spacing_error.max);
+
+/// The realised heights of one column of layers.
+struct ColumnMeasure {
+  double first_height = 0;  ///< normal to the wall, in units of the mesh
+  double thickness = 0;     ///< of all layers, normal to the wall
+  /// Largest |height / wanted - 1| of its layers, and that of the first.
+  double spacing_error = 0, first_error = 0;
+  /// Degrees between the first edge of the column and the normal of the wall, the mean over its
+  /// wall edges; -1 for a column inside a fan, along a boundary or without layers.
+  double tilt = -1;
+};
+
+/// The realised heights of all layers. Statistics are over the columns that have layers.
+struct LayerMeasures {
+  std::vector<ColumnMeasure> columns;  ///< #columns of the stack
+  Statistics first_height, thickness, spacing_error, first_error;
+  Statistics orthogonality;   ///< tilt, degrees
+  std::size_t cut_short = 0;  ///< columns for which cut_short() is true
+};
+
+/// x: #nodes by 2.
+LayerMeasures measure_layers(const LayerStack& stack, const Coordinates& x);
+
+/// Whether a column is thinner than asked by more than 0.1 %, or has no layers.
+bool cut_short(const LayerColumn& column);
 
 }  // namespace winslow

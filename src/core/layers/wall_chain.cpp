@@ -12,14 +12,11 @@ namespace {
 Index marker_named(const Topology& topology, const std::string& name) {
   const auto found = topology.markers().find(name);
   if (found) return *found;
-  std::string known;
-  for (const Marker& marker : topology.markers()) {
-    known += (known.empty() ? "" : ", ") + marker.name;
-  }
-  throw UsageError("the mesh has no marker '" + name + "'; it has: " + known);
+  throw UsageError("the mesh has no marker '" + name + "'; it has: " +
+                   listed(topology.markers(), [](const Marker& marker) { return marker.name; }));
 }
 
-/// Edges that are to have layers, by their index in the topology, and the wall of each.
+/// The walls of the edges that get layers, by the index of the edge in the topology.
 std::map<Index, Index> wall_edges(const Mesh& mesh, std::span<const LayerWall> walls) {
   const Topology& topology = *mesh.topology;
   const PlanePoints x(mesh.coordinates);
@@ -58,14 +55,14 @@ void require_boundary(const Topology& topology, const std::map<Index, Index>& wa
   }
 }
 
-/// Follows the boundary with the elements on the left. Boundary half-edges have them on the right,
-/// so it is walked against them: an edge is entered at the node that its half-edge leads to.
+/// Walks along the boundary with the elements on the left. Boundary half-edges have the elements on
+/// the right, so the walk is against them: the first node of an edge is the end of its half-edge.
 class BoundaryWalk {
  public:
   BoundaryWalk(const Topology& topology, const std::map<Index, Index>& wanted)
       : mesh_(topology.half_edges()), wanted_(wanted) {}
 
-  /// The runs of wanted edges in the boundary loop of a node, from there on.
+  /// Adds the chains of wanted edges in the boundary loop of a node.
   void add_chains(Index node, std::vector<WallChain>& chains) const {
     const Edge start = after(mesh_.halfedge_handle(OpenMesh::VertexHandle(node)));
     bool interrupted = false;
@@ -84,7 +81,7 @@ class BoundaryWalk {
   Edge after(Edge edge) const { return mesh_.prev_halfedge_handle(edge); }
   Edge before(Edge edge) const { return mesh_.next_halfedge_handle(edge); }
   Index entry(Edge edge) const { return mesh_.to_vertex_handle(edge).idx(); }
-  /// -1: no layers there.
+  /// The wall of an edge; -1: it gets no layers.
   Index wall(Edge edge) const {
     const auto it = wanted_.find(mesh_.edge_handle(edge).idx());
     return it == wanted_.end() ? -1 : it->second;
@@ -132,9 +129,72 @@ std::vector<WallChain> find_wall_chains(const Mesh& mesh, std::span<const LayerW
 }
 
 double open_angle(const Vec2& previous, const Vec2& next) {
-  const double angle =
-      std::atan2(next.x() * previous.y() - next.y() * previous.x(), next.dot(previous));
+  const double angle = turn_between(next, previous);
   return angle > 0 ? angle : angle + 2 * pi;
+}
+
+namespace {
+
+/// Radius |q|^2 / (2 n.q) of the circle through the origin and q with its centre in the unit
+/// direction n; infinite if q does not lie on that side.
+double touching_radius(const Vec2& q, const Vec2& n) {
+  const double height = n.dot(q);
+  return height > 1e-12 * q.norm() ? q.squaredNorm() / (2 * height)
+                                   : std::numeric_limits<double>::infinity();
+}
+
+/// The smallest such radius over the points a + t (b - a), t in [0, 1]. With q(t) = a + t v, it is
+/// (A + 2 B t + C t^2) / (2 (D + E t)); where its derivative vanishes,
+/// C E t^2 + 2 C D t + 2 B D - A E = 0.
+double touching_radius(const Vec2& a, const Vec2& b, const Vec2& n) {
+  double least = std::min(touching_radius(a, n), touching_radius(b, n));
+  const Vec2 v = b - a;
+  const double aa = a.squaredNorm(), bb = a.dot(v), cc = v.squaredNorm();
+  const double dd = n.dot(a), ee = n.dot(v);
+  const auto consider = [&](double t) {
+    if (t > 0 && t < 1) least = std::min(least, touching_radius(a + t * v, n));
+  };
+  if (std::abs(ee) < 1e-12 * std::sqrt(cc)) {
+    consider(-bb / cc);
+    return least;
+  }
+  const double discriminant = cc * cc * dd * dd - cc * ee * (2 * bb * dd - aa * ee);
+  if (discriminant < 0) return least;
+  const double root = std::sqrt(discriminant);
+  consider((-cc * dd + root) / (cc * ee));
+  consider((-cc * dd - root) / (cc * ee));
+  return least;
+}
+
+}  // namespace
+
+Clearance::Clearance(const Topology& topology, const Coordinates& x, double reach)
+    : x_(x), reach_(reach) {
+  require_plane(topology, "layers");
+  std::vector<Box<2>> boxes;
+  for (const auto& edge : topology.edges()) {
+    if (edge.elements[1] >= 0) continue;
+    segments_.push_back({edge.nodes[0], edge.nodes[1]});
+    Box<2> box{x.xy(edge.nodes[0]), x.xy(edge.nodes[0])};
+    box.add(x.xy(edge.nodes[1]));
+    boxes.push_back(box);
+  }
+  tree_ = BoxTree<2>(boxes);
+}
+
+double Clearance::radius(Index node, const Vec2& inward) const {
+  const Vec2 p = x_.xy(node);
+  // The box of the largest disc, slightly enlarged for round-off.
+  const Vec2 centre = p + reach_ * inward;
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const Vec2 half = Vec2::Constant((1 + 1e-6) * reach_ + 4 * epsilon * p.cwiseAbs().maxCoeff());
+  double least = reach_;
+  tree_.overlapping({centre - half, centre + half}, [&](Index s) {
+    const Segment& segment = segments_[at(s)];
+    if (segment.a == node || segment.b == node) return;
+    least = std::min(least, touching_radius(x_.xy(segment.a) - p, x_.xy(segment.b) - p, inward));
+  });
+  return least;
 }
 
 }  // namespace winslow

@@ -2,14 +2,15 @@
 
 #include "core/layers/layer_spacing.h"
 #include "core/mesh/mesh.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
 
-/// A run of neighbouring boundary edges that are to have layers, elements on the left.
+/// Consecutive boundary edges that get layers, with the elements on the left.
 struct WallChain {
   std::vector<Index> nodes;  ///< from end to end; of a closed chain the first is not repeated
   bool closed = false;
-  std::vector<Index> wall;  ///< #edges: which of the walls asked for the edge (its place in a list)
+  std::vector<Index> wall;  ///< #edges: index of the wall of each edge
   /// The boundary nodes before the first and after the last, of a chain that is not closed.
   Index before = -1, after = -1;
 
@@ -17,13 +18,35 @@ struct WallChain {
   Index node(std::size_t i) const { return nodes[i % nodes.size()]; }
 };
 
-/// The chains that several walls, or parts of them, make up together. Throws UsageError: an unknown
-/// marker, an edge that two walls ask for, a marker edge inside the mesh, a wall without an edge; a
-/// mesh that is no plane one.
+/// Finds the chains of all walls together. Throws UsageError for an unknown marker, an edge of two
+/// walls, a marker edge inside the mesh, a wall without an edge, and a mesh that is not plane.
 std::vector<WallChain> find_wall_chains(const Mesh& mesh, std::span<const LayerWall> walls);
 
 /// The angle between two boundary edges on the side of the elements, in (0, 2 pi): from direction
 /// `next` (to the following node) counter-clockwise to `previous` (to the one before).
 double open_angle(const Vec2& previous, const Vec2& next);
+
+/// The clearance at a boundary node: the radius of the largest disc that touches the boundary
+/// there, on a given side, and contains no other part of the boundary. In a gap it is half the
+/// width, on a concave curve the radius.
+class Clearance {
+ public:
+  /// reach: largest radius of interest, in units of the mesh.
+  Clearance(const Topology& topology, const Coordinates& x, double reach);
+
+  /// Radius, at most the reach, of the disc at `node` with its centre in the unit direction
+  /// `inward`. The boundary edges at the node itself do not count.
+  double radius(Index node, const Vec2& inward) const;
+
+ private:
+  struct Segment {
+    Index a, b;
+  };
+
+  const Coordinates& x_;
+  double reach_;
+  std::vector<Segment> segments_;
+  BoxTree<2> tree_;  // of segments_
+};
 
 }  // namespace winslow

@@ -8,18 +8,18 @@
 
 /// Points are read and written by node:
 ///
-///     winslow::Coordinates x = mesh.coordinates;
-///     if (x.dimension() == 2) x.set_xy(node, x.xy(node) + winslow::Vec2(0.1, 0));
+///     winslow::Coordinates x = mesh.coordinates;  // of a plane mesh
+///     x.set_xy(node, x.xy(node) + winslow::Vec2(0.1, 0));
 namespace winslow {
 
 /// Coordinates of all nodes: #nodes by dimension (2 or 3), node after node, in the unit of the
 /// file.
 ///
-/// A point is read as what it is: xy() and its like refuse coordinates in space, xyz() those in the
-/// plane, by UsageError and in every build. Loops that read many points check once: see Points.
+/// xy() and the like throw UsageError for coordinates in space, xyz() for those in the plane, in
+/// every build. Loops that read many points check the dimension once: see Points.
 class Coordinates {
  public:
-  /// None, in the plane.
+  /// No nodes, in the plane.
   Coordinates() = default;
   /// All zero. Throws UsageError for another dimension than 2 or 3.
   Coordinates(int dimension, Index node_count);
@@ -42,7 +42,13 @@ class Coordinates {
   void set_xyz(Index node, const Vec3& p) { set<3>(node, p); }
   void push_xyz(const Vec3& p) { push<3>(p); }
 
-  // The same for code of either dimension.
+  /// Sets a position from a point in space; in the plane its last component is left out.
+  void set_place(Index node, const Vec3& p) {
+    for (int k = 0; k < dimension_; ++k)
+      values_[offset(node, dimension_) + static_cast<std::size_t>(k)] = p[k];
+  }
+
+  // The same for code that is written for both dimensions.
   template <int D>
   Vec<D> get(Index node) const {
     require_dimension(D);
@@ -54,18 +60,17 @@ class Coordinates {
     for (int k = 0; k < D; ++k) values_[offset(node, D) + static_cast<std::size_t>(k)] = p[k];
   }
 
-  /// Puts a node where other coordinates of the same dimension have it.
+  /// Moves a node to its position in other coordinates of the same dimension.
   void copy_node(Index node, const Coordinates& from) {
     from.require_dimension(dimension_);
-    for (std::size_t k = offset(node, dimension_), end = offset(node + 1, dimension_); k < end; ++k)
-      values_[k] = from.values_[k];
+    const auto first = static_cast<std::ptrdiff_t>(offset(node, dimension_));
+    std::copy_n(from.values_.begin() + first, dimension_, values_.begin() + first);
   }
-  /// Whether a node lies at the same place in both, bit for bit.
+  /// Whether the coordinates of a node are equal in both, bit for bit.
   bool same_place(Index node, const Coordinates& other) const {
     other.require_dimension(dimension_);
-    for (std::size_t k = offset(node, dimension_), end = offset(node + 1, dimension_); k < end; ++k)
-      if (values_[k] != other.values_[k]) return false;
-    return true;
+    const auto first = values_.begin() + static_cast<std::ptrdiff_t>(offset(node, dimension_));
+    return std::equal(first, first + dimension_, &other.values_[offset(node, dimension_)]);
   }
 
   /// All components in a row, as kernels and solvers read them.
@@ -94,11 +99,13 @@ class Coordinates {
   std::vector<double> values_;
 };
 
-/// The points of coordinates whose dimension was checked once, for loops that read many of them.
-/// The coordinates have to stay where they are.
+/// Reads points without a check of the dimension, for loops that read many of them. Holds a pointer
+/// into the coordinates, which must outlive it and keep their size.
 template <int D>
 class Points {
  public:
+  static constexpr int dimension = D;
+
   /// Throws UsageError unless the coordinates have D dimensions.
   explicit Points(const Coordinates& x) : values_(x.values().data()) { x.require_dimension(D); }
 
@@ -122,11 +129,21 @@ decltype(auto) in_dimension(const Coordinates& x, Visit&& visit) {
   return visit(PlanePoints(x));
 }
 
-/// Where a node is, in space: a node of a plane mesh lies in the plane z = 0.
+/// The position of a node in space; z is 0 for coordinates in the plane.
 inline Vec3 place_of(const Coordinates& x, Index node) {
-  if (x.dimension() == 3) return x.xyz(node);
-  const Vec2 p = x.xy(node);
-  return {p.x(), p.y(), 0};
+  Vec3 place(0, 0, 0);
+  const auto n = static_cast<std::size_t>(x.dimension());
+  for (std::size_t k = 0; k < n; ++k)
+    place[static_cast<int>(k)] = x.values()[static_cast<std::size_t>(node) * n + k];
+  return place;
+}
+
+/// Mean of at least one point.
+template <int D>
+Vec<D> mean_of(std::span<const Vec<D>> points) {
+  Vec<D> sum = Vec<D>::Zero();
+  for (const Vec<D>& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
 }
 
 /// Puts a node at a place of space, one of a plane mesh below or above it.
@@ -140,7 +157,7 @@ inline void set_place(Coordinates& x, Index node, const Vec3& place) {
 /// that it can be found there.
 std::string place_text(const Vec2& p);
 std::string place_text(const Vec3& p);
-/// The same of a point whose last component is 0 in the plane.
+/// The same; dimension 2 leaves out the last component.
 std::string place_text(const Vec3& p, int dimension);
 
 }  // namespace winslow

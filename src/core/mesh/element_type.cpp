@@ -1,9 +1,11 @@
 #include "core/mesh/element_type.h"
 
-#include <algorithm>
+#include <Eigen/Geometry>
+#include <cmath>
 #include <utility>
 
 #include "core/error.h"
+#include "core/mesh/index_sets.h"
 
 namespace winslow {
 
@@ -47,8 +49,9 @@ namespace {
 
 using Point = std::array<double, 3>;
 using Edge = std::array<Index, 2>;
+constexpr Edge edge(Index a, Index b) { return {a, b}; }
 
-/// Everything about one type but its links, which follow from the faces.
+/// The shape of one type without its links, which follow from the faces.
 template <std::size_t Corners, std::size_t Edges, std::size_t Faces>
 struct Table {
   std::string_view name;
@@ -59,19 +62,12 @@ struct Table {
   std::array<Index, Corners> mirrored;
 };
 
-/// Place of a corner in a face; the size of the face if it is not there.
-constexpr std::size_t place_in(const Face& face, Index corner) {
-  std::size_t k = 0;
-  while (k < face.size() && face[k] != corner) ++k;
-  return k;
-}
-
-/// The corner that follows `from` in the polygon that cuts a corner off: each face at the corner
-/// gives one side of it, from the face's previous corner to its next one.
+/// The corner after `from` in the link of a corner. Each face at the corner gives one side of the
+/// link, from the previous corner of the face to the next one.
 template <std::size_t Faces>
 constexpr Index next_in_link(const std::array<Face, Faces>& faces, Index corner, Index from) {
   for (const Face& face : faces) {
-    const std::size_t n = face.size(), k = place_in(face, corner);
+    const std::size_t n = face.size(), k = index_of(face, corner);
     if (k < n && face[(k + n - 1) % n] == from) return face[(k + 1) % n];
   }
   return -1;
@@ -83,7 +79,7 @@ constexpr Face link_of(const Table<Corners, Edges, Faces>& table, Index corner) 
   if (table.dimension == 2) return {(corner + 1) % n, (corner + n - 1) % n};
   Index first = -1;
   for (const Face& face : table.faces) {
-    const std::size_t k = place_in(face, corner);
+    const std::size_t k = index_of(face, corner);
     if (first < 0 && k < face.size()) first = face[(k + 1) % face.size()];
   }
   const Index second = next_in_link(table.faces, corner, first);
@@ -137,18 +133,8 @@ constexpr Table<8, 12, 6> hexahedron{
     .dimension = 3,
     .corners =
         {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}},
-    .edges = {{{0, 1},
-               {1, 2},
-               {2, 3},
-               {3, 0},
-               {0, 4},
-               {1, 5},
-               {2, 6},
-               {3, 7},
-               {4, 5},
-               {5, 6},
-               {6, 7},
-               {7, 4}}},
+    .edges = {edge(0, 1), edge(1, 2), edge(2, 3), edge(3, 0), edge(0, 4), edge(1, 5), edge(2, 6),
+              edge(3, 7), edge(4, 5), edge(5, 6), edge(6, 7), edge(7, 4)},
     .faces = {Face(0, 3, 2, 1), Face(0, 1, 5, 4), Face(1, 2, 6, 5), Face(2, 3, 7, 6),
               Face(0, 4, 7, 3), Face(4, 5, 6, 7)},
     .mirrored = {0, 3, 2, 1, 4, 7, 6, 5}};
@@ -167,6 +153,112 @@ const ElementShape& shape_of(ElementType type) {
                                                       shape<tetrahedron>, shape<pyramid>,
                                                       shape<prism>,       shape<hexahedron>};
   return shapes[static_cast<std::size_t>(type)];
+}
+
+namespace {
+
+std::vector<std::array<Index, 4>> make_at_corners(ElementType type) {
+  std::vector<std::array<Index, 4>> list;
+  const auto links = shape_of(type).links;
+  const std::size_t corners = type == ElementType::tetrahedron ? 1 : links.size();
+  for (std::size_t k = 0; k < corners; ++k) {
+    if (links[k].size() == 3)
+      list.push_back({static_cast<Index>(k), links[k][0], links[k][1], links[k][2]});
+  }
+  return list;
+}
+
+bool are_linked(const ElementShape& shape, Index a, Index b) {
+  const Face& link = shape.links[at(a)];
+  return std::find(link.begin(), link.end(), b) != link.end();
+}
+
+/// The corner opposite to a in the quadrilateral with the edges (a, b) and (a, y); -1 if that face
+/// is a triangle.
+Index across(const ElementShape& shape, Index a, Index b, Index y) {
+  for (const Index corner : shape.links[at(b)])
+    if (corner != a && corner != y && are_linked(shape, corner, y)) return corner;
+  return -1;
+}
+
+std::vector<std::array<Index, 4>> make_at_edges(ElementType type) {
+  std::vector<std::array<Index, 4>> list;
+  const ElementShape& shape = shape_of(type);
+  if (type != ElementType::hexahedron && type != ElementType::prism) return list;
+  for (const auto& [a, b] : shape.edges) {
+    const Face& link = shape.links[at(a)];
+    const std::size_t place = index_of(link, b);
+    const Index y = link[(place + 1) % 3], z = link[(place + 2) % 3];
+    if (are_linked(shape, b, y) || are_linked(shape, b, z)) continue;  // of a triangle
+    list.push_back({a, b, y, across(shape, a, b, z)});
+    list.push_back({a, b, across(shape, a, b, y), z});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::span<const std::array<Index, 4>> edge_tetrahedra(ElementType type) {
+  static const auto lists = table_by_type(make_at_edges);
+  return lists[static_cast<std::size_t>(type)];
+}
+
+std::span<const std::array<Index, 4>> corner_tetrahedra(ElementType type) {
+  static const auto lists = table_by_type(make_at_corners);
+  return lists[static_cast<std::size_t>(type)];
+}
+
+std::span<const std::array<double, 3>> regular_corners(ElementType type) {
+  using Corners = std::vector<std::array<double, 3>>;
+  static const double half = 0.5, third = std::sqrt(3.0) / 6, high = std::sqrt(3.0) / 2;
+  static const Corners tetrahedron{
+      {0, 0, 0}, {1, 0, 0}, {half, high, 0}, {half, third, std::sqrt(2.0 / 3.0)}};
+  static const Corners pyramid{
+      {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {half, half, std::sqrt(0.5)}};
+  static const Corners prism{{0, 0, 0}, {1, 0, 0}, {half, high, 0},
+                             {0, 0, 1}, {1, 0, 1}, {half, high, 1}};
+  switch (type) {
+    case ElementType::tetrahedron:
+      return tetrahedron;
+    case ElementType::pyramid:
+      return pyramid;
+    case ElementType::prism:
+      return prism;
+    default:
+      return shape_of(type).corners;  // the unit cube
+  }
+}
+
+namespace {
+
+double triple(const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot(b.cross(c)); }
+
+}  // namespace
+
+double signed_area2(const Coordinates& x, std::span<const Index> corners) {
+  const Vec2 o = x.xy(corners[0]);
+  double sum = 0;
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+    sum += cross(x.xy(corners[k]) - o, x.xy(corners[k + 1]) - o);
+  return sum;
+}
+
+double signed_volume6(const Coordinates& x, ElementType type, std::span<const Index> corners,
+                      const Vec3& origin) {
+  double sum = 0;
+  for (const Face& face : shape_of(type).faces) {
+    const Face nodes = by_nodes(face, corners);
+    const Vec3 a = x.xyz(nodes[0]) - origin, b = x.xyz(nodes[1]) - origin,
+               c = x.xyz(nodes[2]) - origin;
+    if (nodes.size() == 3) {
+      sum += triple(a, b, c);
+      continue;
+    }
+    // The mean over both ways to cut the quadrilateral into triangles.
+    const Vec3 d = x.xyz(nodes[3]) - origin;
+    sum += 0.5 * (triple(a, b, c) + triple(a, c, d) + triple(a, b, d) + triple(b, c, d));
+  }
+  return sum;
 }
 
 }  // namespace winslow

@@ -1,16 +1,15 @@
 #pragma once
 
 #include <array>
-#include <span>
-#include <string>
 #include <string_view>
 
+#include "core/mesh/coordinates.h"
 #include "core/types.h"
 
 namespace winslow {
 
-/// The corners of one face in cyclic order: two of an edge, which is a face of plane and surface
-/// elements; three or four of a face of volume elements.
+/// The nodes of one face in cyclic order. Faces of plane and surface elements are edges, with two
+/// nodes; those of volume elements have three or four.
 class Face {
  public:
   constexpr Face() = default;
@@ -31,14 +30,14 @@ class Face {
     return {nodes_[0], nodes_[1]};
   }
 
-  /// The face as seen from its other side; the first node of three or four stays.
+  /// The nodes in the opposite direction; the first of three or four stays the first.
   constexpr Face reversed() const {
     if (count_ == 2) return {nodes_[1], nodes_[0]};
     return count_ == 3 ? Face(nodes_[0], nodes_[2], nodes_[1])
                        : Face(nodes_[0], nodes_[3], nodes_[2], nodes_[1]);
   }
 
-  /// Ascending; ends in -1 where there are fewer than four. The same for every order of the nodes.
+  /// The nodes ascending, filled up with -1 to four: the same for every order of the nodes.
   std::array<Index, 4> sorted() const;
 
   constexpr bool operator==(const Face&) const = default;
@@ -50,7 +49,7 @@ class Face {
   Index count_ = 0;
 };
 
-/// A face given by the numbers of an element's corners, by the nodes at these corners.
+/// The nodes of a face that is given by the numbers of an element's corners.
 constexpr Face by_nodes(const Face& face, std::span<const Index> corners) {
   const auto node = [&](std::size_t k) { return corners[static_cast<std::size_t>(face[k])]; };
   if (face.size() == 2) return {node(0), node(1)};
@@ -58,10 +57,10 @@ constexpr Face by_nodes(const Face& face, std::span<const Index> corners) {
                           : Face(node(0), node(1), node(2), node(3));
 }
 
-/// "nodes 3 and 5", "nodes 3, 5 and 9": as messages name a face.
+/// "nodes 3 and 5", "nodes 3, 5 and 9": a face in messages.
 std::string nodes_text(const Face& face);
 
-/// Linear elements: two of plane and surface meshes, four of volume meshes.
+/// Linear elements: the first two of plane and surface meshes, the other four of volume meshes.
 enum class ElementType : std::uint8_t {
   triangle,
   quadrilateral,
@@ -74,12 +73,12 @@ inline constexpr std::array<ElementType, 6> all_element_types{
     ElementType::triangle, ElementType::quadrilateral, ElementType::tetrahedron,
     ElementType::pyramid,  ElementType::prism,         ElementType::hexahedron};
 
-/// What an element of one type is made of, by the numbers of its corners.
+/// Edges, faces and links of elements of one type, by the numbers of their corners.
 ///
 /// Corners, edges and faces are numbered as CGNS does (SIDS, "Unstructured Grid Element Numbering
-/// Conventions": TRI_3, QUAD_4, TETRA_4, PYRA_5, PENTA_6, HEXA_8), counted from zero. VTK numbers
-/// corners alike, but for its wedge, whose triangle 0 1 2 faces outwards: the mirror image of a
-/// prism, which a mesh turns when it orients its elements.
+/// Conventions": TRI_3, QUAD_4, TETRA_4, PYRA_5, PENTA_6, HEXA_8), counted from zero. VTK has the
+/// same numbers of corners, except for its wedge: its triangle 0 1 2 faces outwards, so that it is
+/// the mirror image of a prism. A mesh turns wedges when it orients its elements.
 ///
 ///     tetrahedron   base 0 1 2 seen from 3 counter-clockwise
 ///     pyramid       base 0 1 2 3 seen from the apex 4 counter-clockwise
@@ -91,16 +90,15 @@ struct ElementShape {
   /// #corners: places in the reference element (VTK's parametric coordinates: unit simplices, the
   /// unit square and cube, an apex above the centre of the unit square); z is 0 in two dimensions.
   std::span<const std::array<double, 3>> corners;
-  /// The edges; as long as the faces for a plane element, whose edges are its faces.
+  /// The edges; of a plane element they are its faces, too.
   std::span<const std::array<Index, 2>> edges;
-  /// What separates the element from its neighbours. Of a plane element the edges, the element on
-  /// their left; of a volume element triangles and quadrilaterals, seen from outside
-  /// counter-clockwise.
+  /// The faces. Of a plane element they are its edges, with the element on their left; of a volume
+  /// element triangles and quadrilaterals, counter-clockwise seen from outside.
   std::span<const Face> faces;
-  /// #corners: the ends of the edges at a corner. Of a plane element the next corner and the
-  /// previous one, counter-clockwise seen from the corner; of a volume element three or, at the
-  /// apex of a pyramid, four, clockwise seen from the corner: the polygon that cuts it off, its
-  /// normal pointing away from it.
+  /// #corners: the link of each corner, which has the other ends of the edges at the corner. Of a
+  /// plane element they are the next corner and the previous one, counter-clockwise seen from the
+  /// corner. Of a volume element they are three or, at the apex of a pyramid, four, clockwise seen
+  /// from the corner: a polygon whose normal points away from the corner.
   std::span<const Face> links;
   /// #corners: the corners in the order that turns the element inside out; the first stays.
   std::span<const Index> mirrored;
@@ -115,5 +113,55 @@ constexpr Index corner_count(ElementType type) {
 }
 /// 2 of triangles and quadrilaterals, 3 of the others.
 constexpr int dimension_of(ElementType type) { return type < ElementType::tetrahedron ? 2 : 3; }
+
+/// A table with make(type) for each element type.
+template <class Make>
+auto table_by_type(const Make& make) {
+  std::array<decltype(make(ElementType::triangle)), all_element_types.size()> table;
+  for (const ElementType type : all_element_types)
+    table[static_cast<std::size_t>(type)] = make(type);
+  return table;
+}
+
+/// The corner tetrahedra of a volume element: each corner with the other ends of its three edges,
+/// by the numbers of corners, the corner first. They are positively oriented in an element that is
+/// not inverted.
+///
+/// A tetrahedron has one (itself), a prism six, a hexahedron eight. A pyramid has those of the four
+/// corners of its base; its apex has four edges, and any three of them give one of these again.
+std::span<const std::array<Index, 4>> corner_tetrahedra(ElementType type);
+
+/// Two tetrahedra for each edge (a, b) of a hexahedron and for each edge between the triangles of a
+/// prism. Each has the edge (a, b), an edge at a, and an edge at b that lies in the other face at
+/// (a, b); its first node is a and its second b.
+///
+/// Along the edge the Jacobian is a quadratic. Six times the sum of the two volumes is twice its
+/// middle Bernstein coefficient (A. Johnen, J.-F. Remacle, C. Geuzaine, J. Comput. Phys. 233,
+/// 2013). So if all of these tetrahedra and all corner tetrahedra are positively oriented, the
+/// Jacobian is positive along all edges, and hardly ever negative inside.
+///
+/// A hexahedron has 24, a prism six, the others none: their corners decide.
+std::span<const std::array<Index, 4>> edge_tetrahedra(ElementType type);
+
+/// Places of the corners of the regular element: unit edges, equilateral triangles, square faces
+/// (#corners).
+std::span<const std::array<double, 3>> regular_corners(ElementType type);
+
+/// A corner tetrahedron by the nodes of a mesh.
+inline std::array<Index, 4> by_nodes(const std::array<Index, 4>& corners,
+                                     std::span<const Index> element) {
+  const auto node = [&](std::size_t k) { return element[at(corners[k])]; };
+  return {node(0), node(1), node(2), node(3)};
+}
+
+/// Twice the signed area of a polygon of the plane (shoelace formula), relative to its first
+/// corner; positive counter-clockwise.
+double signed_area2(const Coordinates& x, std::span<const Index> corners);
+
+/// Six times the signed volume of a volume element, by the divergence theorem: twice the flux of
+/// the position relative to `origin` through its faces. A quadrilateral is the bilinear surface
+/// through its corners, so its contributions to its two elements cancel up to round-off.
+double signed_volume6(const Coordinates& x, ElementType type, std::span<const Index> corners,
+                      const Vec3& origin);
 
 }  // namespace winslow

@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "core/error.h"
-#include "core/mesh/corner_tetrahedra.h"
+#include "core/mesh/element_type.h"
 #include "core/parallel/parallel_for.h"
 #include "core/search/box_tree.h"
 
@@ -11,7 +11,7 @@ namespace winslow {
 
 namespace {
 
-/// A side but for its lowest node. N: most nodes of a face.
+/// A side without its lowest node, which SortedSides knows. N: largest number of nodes of a face.
 template <std::size_t N>
 struct Side {
   std::array<Index, N - 1> others;  // ascending
@@ -23,8 +23,8 @@ struct Side {
   }
 };
 
-/// Does the face run from its lowest node on towards the lower of the two beside it? Faces with the
-/// same nodes in opposite directions disagree.
+/// Whether the node after the lowest node is lower than the one before it. This differs for faces
+/// with the same nodes in opposite directions.
 bool ascends(const Face& face) {
   const std::size_t n = face.size();
   const auto low =
@@ -32,11 +32,10 @@ bool ascends(const Face& face) {
   return n == 2 ? low == 0 : face[(low + 1) % n] < face[(low + n - 1) % n];
 }
 
-/// Do two faces with the same nodes have the same diagonals?
+/// Whether two faces with the same nodes have the same diagonals.
 bool same_diagonals(const Face& a, const Face& b) {
   if (a.size() < 4) return true;
-  const auto place = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
-  return b[(place + 2) % 4] == a[2];
+  return b[(index_of(b, a[0]) + 2) % 4] == a[2];
 }
 
 /// Calls body(nodes, element) for every side of every element.
@@ -48,15 +47,14 @@ void for_each_side(const MeshData& data, const Body& body) {
   }
 }
 
-/// The sides of all elements, dealt out by their lowest node, of which few have the same, and there
-/// in ascending order.
+/// The sides of all elements, sorted: a bucket for each lowest node, which few sides share.
 template <std::size_t N>
 struct SortedSides {
   explicit SortedSides(const MeshData& data) : begin(at(data.node_count()) + 2, 0) {
     for_each_side(data, [&](const Face& nodes, Index) {
       ++begin[at(*std::min_element(nodes.begin(), nodes.end())) + 2];
     });
-    for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
     sides.resize(at(begin.back()));
     Index side = 0;
     for_each_side(data, [&](const Face& nodes, Index e) {
@@ -146,11 +144,7 @@ FacePairs pair_faces(const MeshData& data) {
     const auto count = static_cast<Index>(shape_of(type).faces.size());
     pairs.side_offsets.push_back(pairs.side_offsets.back() + count);
   }
-  if (data.cell_dimension() == 2) {
-    pair_sides<2>(data, pairs);
-  } else {
-    pair_sides<4>(data, pairs);
-  }
+  data.kind() == MeshKind::volume ? pair_sides<4>(data, pairs) : pair_sides<2>(data, pairs);
   return pairs;
 }
 
@@ -166,6 +160,7 @@ Face first_face(const MeshData& data, const FacePairs& pairs, Index face) {
 
 namespace {
 
+/// Orients the elements of each connected part, from neighbour to neighbour.
 class Walk {
  public:
   Walk(const MeshData& data, const FacePairs& pairs)
@@ -178,7 +173,7 @@ class Walk {
     for (Index seed = 0; seed < data_.element_count(); ++seed) {
       if (seen_[at(seed)]) continue;
       walk_part(seed);
-      if (data_.cell_dimension() != data_.coordinates.dimension()) continue;
+      if (data_.kind() == MeshKind::surface) continue;
       check_open();
       if (measure() < 0) {
         for (const Index e : part_) turn_[at(e)] = !turn_[at(e)];
@@ -202,7 +197,7 @@ class Walk {
     }
   }
 
-  /// Goes from an element through its face k to the one beyond.
+  /// Orients the neighbour of an element beyond its face k.
   void visit(Index e, std::size_t k, Index other) {
     const Facing facing = pairs_.facing[at(pairs_.faces_of(e)[k])];
     if (facing == Facing::twisted)
@@ -215,10 +210,12 @@ class Walk {
     } else if (turn_[at(other)] != wanted) {
       throw MeshError(MeshEntity::element, other,
                       "element " + std::to_string(other) +
-                          " cannot be oriented like its neighbours (the " +
-                          (data_.cell_dimension() == 2 ? "surface" : "volume") + " is one-sided)");
+                          " cannot be oriented like its neighbours (the " + domain() +
+                          " is one-sided)");
     }
   }
+
+  std::string domain() const { return std::string(words_of(data_.kind()).domain); }
 
   [[noreturn]] static void refuse_twisted(Index e, Index other, const Face& face) {
     throw MeshError(MeshEntity::element, other,
@@ -234,18 +231,17 @@ class Walk {
     }
     throw MeshError(MeshEntity::element, part_.front(),
                     "element " + std::to_string(part_.front()) + " belongs to a closed " +
-                        (data_.cell_dimension() == 2 ? "surface" : "volume") +
-                        ", which has no boundary (elements given twice?)");
+                        domain() + ", which has no boundary (elements given twice?)");
   }
 
-  /// Total area or volume of the part, times a constant. Interior faces cancel, so tangled
-  /// interiors do not mislead it.
+  /// Total area or volume of the part, times a constant. It depends on the boundary alone, since
+  /// contributions of interior faces cancel.
   double measure() const {
     const Coordinates& x = data_.coordinates;
     double sum = 0;
     for (const Index e : part_) {
       const auto corners = data_.element(e);
-      const double own = data_.cell_dimension() == 2
+      const double own = data_.kind() == MeshKind::plane
                              ? signed_area2(x, corners)
                              : signed_volume6(x, data_.types[at(e)], corners,
                                               x.xyz(data_.element(part_.front())[0]));
@@ -260,10 +256,11 @@ class Walk {
   std::vector<Index> part_;
 };
 
-/// Elements that all see their neighbours as they should, of volumes that are positive for certain:
-/// none is to be turned, and no part is closed, since the volumes of a closed one cancel.
+/// Whether all volume elements are oriented like their neighbours and have certainly positive
+/// volumes. Then no element is to be turned, and no part is closed: the volumes of a closed part
+/// would cancel.
 bool positive_throughout(const MeshData& data, const FacePairs& pairs) {
-  if (data.cell_dimension() != 3) return false;
+  if (data.kind() != MeshKind::volume) return false;
   if (!std::ranges::all_of(pairs.facing, [](Facing f) { return f == Facing::opposite; }))
     return false;
   const SpacePoints x(data.coordinates);
@@ -274,7 +271,7 @@ bool positive_throughout(const MeshData& data, const FacePairs& pairs) {
       Box<3> box = Box<3>::empty();
       for (const Index node : corners) box.add(x[node]);
       const double size = box.size().maxCoeff();
-      constexpr double certain = 1e-12;  // round-off is less by orders
+      constexpr double certain = 1e-12;  // orders of magnitude above round-off
       const double volume =
           signed_volume6(data.coordinates, data.types[at(e)], corners, x[corners[0]]);
       if (!(volume > certain * size * size * size)) positive = false;
@@ -286,7 +283,7 @@ bool positive_throughout(const MeshData& data, const FacePairs& pairs) {
 }  // namespace
 
 std::vector<bool> elements_to_turn(const MeshData& data, const FacePairs& pairs) {
-  // Most meshes are as they should be, and a walk from neighbour to neighbour takes far longer.
+  // Most meshes are oriented already, and this check is far faster than a walk.
   if (positive_throughout(data, pairs)) return std::vector<bool>(at(data.element_count()), false);
   return Walk(data, pairs).run();
 }

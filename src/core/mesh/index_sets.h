@@ -16,27 +16,59 @@ struct CompressedRows {
 
   Index rows() const { return static_cast<Index>(offsets.size()) - 1; }
   std::span<const Index> operator[](Index row) const {
-    const auto b = static_cast<std::size_t>(offsets[static_cast<std::size_t>(row)]);
-    const auto n = static_cast<std::size_t>(offsets[static_cast<std::size_t>(row) + 1]) - b;
-    return {values.data() + b, n};
+    const std::size_t begin = at(offsets[at(row)]);
+    return {values.data() + begin, at(offsets[at(row) + 1]) - begin};
   }
-  /// Ends a row: values that were added since the last one make it up.
+  /// Ends a row, which holds the values that were added since the end of the last one.
   void end_row() { offsets.push_back(static_cast<Index>(values.size())); }
 };
 
-/// Sets of numbers that are joined pair by pair; a set is known by its lowest number.
+/// Rows of pairs (row, value): row i holds the values of its pairs, in their order. each(add) calls
+/// add(row, value) for every pair; it is called twice, the first time to count them.
+template <typename Each>
+CompressedRows rows_of(Index row_count, const Each& each) {
+  CompressedRows rows;
+  rows.offsets.assign(at(row_count) + 1, 0);
+  each([&](Index row, Index) { ++rows.offsets[at(row) + 1]; });
+  std::partial_sum(rows.offsets.begin(), rows.offsets.end(), rows.offsets.begin());
+  rows.values.resize(at(rows.offsets.back()));
+  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
+  each([&](Index row, Index value) { rows.values[at(next[at(row)]++)] = value; });
+  return rows;
+}
+
+/// Index of the first item that equals a value; the size of the list if there is none.
+template <class List, class Value>
+constexpr std::size_t index_of(const List& list, const Value& value) {
+  return static_cast<std::size_t>(std::find(list.begin(), list.end(), value) - list.begin());
+}
+
+/// Sorts a list and removes repeated values.
+template <typename T>
+void sort_unique(std::vector<T>& list) {
+  std::ranges::sort(list);
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// Disjoint sets of the numbers 0 to count - 1, at first of one number each (union-find). The
+/// lowest number of a set stands for it.
 class JoinedSets {
  public:
-  explicit JoinedSets(std::size_t count) : parent_(count) {
+  explicit JoinedSets(std::size_t count = 0) { reset(count); }
+  void reset(std::size_t count) {
+    parent_.resize(count);
     std::iota(parent_.begin(), parent_.end(), Index{0});
   }
+  /// The lowest number of the set that i is in.
   Index find(Index i) {
     while (parent_[at(i)] != i) i = parent_[at(i)] = parent_[at(parent_[at(i)])];
     return i;
   }
-  void join(Index a, Index b) {
+  /// Makes the sets of a and b one. False if they were one before.
+  bool join(Index a, Index b) {
     const auto [low, high] = std::minmax({find(a), find(b)});
     parent_[at(high)] = low;
+    return low != high;
   }
 
  private:

@@ -12,18 +12,18 @@
 ///     winslow::MeshState state = winslow::make_state(mesh);
 namespace winslow {
 
-/// A mesh: connectivity that never changes under smoothing, and where its nodes are.
+/// A mesh: its connectivity, which smoothing never changes, and the coordinates of its nodes.
 struct Mesh {
   std::shared_ptr<const Topology> topology;
   Coordinates coordinates;  ///< #nodes by 2, or by 3 in space
 };
 
-/// Builds a mesh from raw arrays and checks it geometrically as well as topologically.
+/// Builds a mesh from raw arrays and checks its topology and its geometry.
 ///
 /// Throws MeshError for what Topology::build refuses and for: a coordinate that is not finite, an
 /// element without area or volume, two nodes in the same place, a hanging node (a boundary node
 /// inside another element's boundary edge or face), an element that shares no face with the rest of
-/// the mesh. Adds a sentence to `warnings` for what is harmless: unused nodes, boundary faces
+/// the mesh. Adds a sentence to `warnings` for harmless faults: unused nodes, boundary faces
 /// without marker, faces between regions without marker, elements that were turned. Inverted
 /// elements are no error: a tangled mesh is what smoothing is for.
 Mesh make_mesh(const MeshData& data, std::vector<std::string>* warnings = nullptr);
@@ -39,13 +39,12 @@ Box<3> space_bounds(const Coordinates& coordinates, std::span<const Index> nodes
 /// The same around given nodes. Throws UsageError if there are none.
 Bounds bounds(const Coordinates& coordinates, std::span<const Index> nodes);
 
-/// Coordinates counted from a point near the mesh, for meshes far from the origin (UTM): solvers
-/// lose digits of 1e7 chords that the mesh has no use for.
+/// Coordinates relative to a point near the mesh, for meshes far from the origin (UTM). With
+/// coordinates of 1e7 chords solvers would lose seven digits to round-off.
 ///
-/// Along each axis the point is the centre of the mesh where that is farther from 0 than 16 times
-/// the extent of the mesh, and 0 elsewhere. There half a coordinate is less than the centre and
-/// twice a coordinate more, so that differences are exact (Sterbenz) and coordinates that are put
-/// back are the same bit by bit.
+/// Along each axis the point is the centre of the mesh if that is farther from 0 than 16 times the
+/// extent of the mesh, else 0. All coordinates then lie between half the centre and twice the
+/// centre, so that differences are exact (Sterbenz) and the way back gives the same bits.
 class LocalFrame {
  public:
   /// Of a plane mesh or of a volume mesh. Throws UsageError for a surface mesh.
@@ -63,8 +62,8 @@ class LocalFrame {
 
   Vec2 to_mesh(const Vec2& point) const { return point + origin_.head<2>(); }
   Vec3 to_mesh(const Vec3& point) const { return point + origin_; }
-  /// Nodes that are where `rest` has them come back bit by bit, even those far from the mesh (of no
-  /// element). rest: coordinates of the mesh; x may have more nodes.
+  /// rest: coordinates of the mesh; x may have more nodes. Nodes at their position in `rest` get
+  /// the same bits again, also those far from the mesh that no element uses.
   Coordinates to_mesh(Coordinates x, const Coordinates& rest) const;
 
  private:

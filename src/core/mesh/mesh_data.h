@@ -33,9 +33,29 @@ struct Region {
   int tag = 0;
 };
 
-/// What a mesh file says, before anybody has checked it: the input of make_mesh. The dimension of
-/// the coordinates is that of the space, the dimension of the elements that of the mesh: a plane
-/// mesh has 2 and 2, a surface mesh elements of 2 in space of 3, a volume mesh 3 and 3.
+/// Plane meshes have elements of two dimensions in the plane, surface meshes elements of two
+/// dimensions in space, volume meshes elements of three dimensions.
+enum class MeshKind { plane, surface, volume };
+
+/// The cell dimension and the space dimension of a kind add up to 4, 5 or 6.
+constexpr MeshKind kind_of(int cell_dimension, int space_dimension) {
+  return static_cast<MeshKind>(cell_dimension + space_dimension - 4);
+}
+/// Dimension of the elements.
+inline constexpr int cell_dimension_of(MeshKind kind) { return kind == MeshKind::volume ? 3 : 2; }
+
+/// The words of messages for meshes of one kind.
+struct MeshWords {
+  std::string_view mesh;           ///< "plane mesh"
+  std::string_view face, a_face;   ///< "edge", "an edge": what separates two elements
+  std::string_view has;            ///< an edge "joins" nodes, a face "has" nodes
+  std::string_view domain;         ///< "surface", "volume": the union of the elements
+  std::string_view boundary_part;  ///< "loop_": how generated names of markers begin
+};
+const MeshWords& words_of(MeshKind kind);
+
+/// The content of a mesh file before it is checked: the input of make_mesh. See MeshKind for the
+/// dimensions of the elements and of the coordinates.
 struct MeshData {
   Coordinates coordinates;                ///< #nodes by 2 or 3
   std::vector<ElementType> types;         ///< #elements, all of one dimension
@@ -49,10 +69,11 @@ struct MeshData {
   Index element_count() const { return static_cast<Index>(types.size()); }
   /// Dimension of the elements: that of the first one; 2 if there is none.
   int cell_dimension() const { return types.empty() ? 2 : dimension_of(types.front()); }
+  /// Of elements and coordinates that fit each other.
+  MeshKind kind() const { return kind_of(cell_dimension(), coordinates.dimension()); }
   std::span<const Index> element(Index e) const {
-    const auto b = static_cast<std::size_t>(element_offsets[static_cast<std::size_t>(e)]);
-    const auto n = static_cast<std::size_t>(element_offsets[static_cast<std::size_t>(e) + 1]) - b;
-    return {element_nodes.data() + b, n};
+    const std::size_t begin = at(element_offsets[at(e)]);
+    return {element_nodes.data() + begin, at(element_offsets[at(e) + 1]) - begin};
   }
   void add_element(ElementType type, std::span<const Index> corners) {
     types.push_back(type);
@@ -69,9 +90,9 @@ struct MeshData {
 /// The markers of a mesh, numbered from 0 on, with the nodes of each.
 class Markers {
  public:
-  /// Those of the file or, if it has none at all, one for each connected part of the boundary, in
-  /// which case from_file() is false and writers leave them out: "loop_1", ... of a plane or
-  /// surface mesh, "boundary_1", ... of a volume mesh.
+  /// The markers of the file. If the file has none, one for each connected part of the boundary:
+  /// "loop_1", ... of a plane or surface mesh, "boundary_1", ... of a volume mesh. Then from_file()
+  /// is false, and writers leave them out.
   const std::vector<Marker>& list() const { return list_; }
   bool from_file() const { return from_file_; }
 
@@ -81,7 +102,7 @@ class Markers {
   auto begin() const { return list_.begin(); }
   auto end() const { return list_.end(); }
 
-  /// Index of the marker of that name, if any.
+  /// Index of the marker with a name, if there is one.
   std::optional<Index> find(std::string_view name) const;
   /// Sorted unique nodes of a marker.
   std::span<const Index> nodes(Index marker) const { return nodes_[marker]; }

@@ -1,5 +1,7 @@
 #include "core/mesh/node_stars.h"
 
+#include <utility>
+
 #include "core/error.h"
 #include "core/mesh/half_edge.h"
 #include "core/mesh/topology.h"
@@ -9,9 +11,80 @@ namespace winslow {
 
 namespace {
 
+/// The 21 bits of a number, two zeros after each.
+std::uint64_t spread_bits(std::uint64_t bits) {
+  bits = (bits | bits << 32U) & 0x1f00000000ffffU;
+  bits = (bits | bits << 16U) & 0x1f0000ff0000ffU;
+  bits = (bits | bits << 8U) & 0x100f00f00f00f00fU;
+  bits = (bits | bits << 4U) & 0x10c30c30c30c30c3U;
+  return (bits | bits << 2U) & 0x1249249249249249U;
+}
+
+std::vector<Index> along_curve(const SpacePoints& x, Index node_count, const Box<3>& box) {
+  constexpr double cells = (1U << 21U) - 1;
+  const double unit = cells / std::max(box.size().maxCoeff(), 1e-300);
+  std::vector<std::pair<std::uint64_t, Index>> codes(at(node_count));
+  parallel_for(0, node_count, [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      const Vec3 cell = (x[i] - box.min) * unit;
+      const auto bits = [&](Index k) {
+        // NaN, which an infinite box gives, becomes 0.
+        const double number = cell[k] > 0 ? std::min(cell[k], cells) : 0;
+        return spread_bits(static_cast<std::uint64_t>(number));
+      };
+      codes[at(i)] = {bits(0) | bits(1) << 1U | bits(2) << 2U, i};
+    }
+  });
+  std::ranges::sort(codes);
+  std::vector<Index> nodes;
+  nodes.reserve(codes.size());
+  for (const auto& [code, node] : codes) nodes.push_back(node);
+  return nodes;
+}
+
+/// Elements ordered by the first of their nodes in the order; places: of the nodes in the order.
+std::vector<Index> by_first_node(const CompressedRows& corners, const std::vector<Index>& places) {
+  std::vector<Index> first(at(corners.rows()));
+  parallel_for(0, corners.rows(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e) {
+      Index least = static_cast<Index>(places.size());
+      for (const Index node : corners[e]) least = std::min(least, places[at(node)]);
+      first[at(e)] = least;
+    }
+  });
+  return rows_of(static_cast<Index>(places.size()),
+                 [&](const auto& add) {
+                   for (std::size_t e = 0; e < first.size(); ++e)
+                     add(first[e], static_cast<Index>(e));
+                 })
+      .values;
+}
+
+}  // namespace
+
+CurveOrder::CurveOrder(const SpacePoints& x, Index node_count, const Box<3>& box,
+                       const CompressedRows& of_mesh)
+    : nodes(along_curve(x, node_count, box)) {
+  std::vector<Index> places(nodes.size());
+  for (std::size_t k = 0; k < nodes.size(); ++k) places[at(nodes[k])] = static_cast<Index>(k);
+  elements = by_first_node(of_mesh, places);
+  corners.offsets.reserve(elements.size() + 1);
+  for (const Index e : elements)
+    corners.offsets.push_back(corners.offsets.back() + static_cast<Index>(of_mesh[e].size()));
+  corners.values.resize(at(corners.offsets.back()));
+  parallel_for(0, corners.rows(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e) {
+      auto value = corners.values.begin() + corners.offsets[at(e)];
+      for (const Index node : of_mesh[elements[at(e)]]) *value++ = places[at(node)];
+    }
+  });
+}
+
+namespace {
+
 using Values = std::vector<Index>;
 
-/// One turn around each node, counter-clockwise.
+/// Walks around each node, counter-clockwise.
 class StarWalk {
  public:
   explicit StarWalk(const HalfEdgeMesh& mesh) : mesh_(mesh) {
@@ -36,8 +109,8 @@ class StarWalk {
   }
 
   void turn(OpenMesh::VertexHandle v) {
-    // The half-edge of a boundary vertex is the last one counter-clockwise, so the next one across
-    // the gap opens the row.
+    // The half-edge of a boundary vertex is its last one counter-clockwise; the next one is the
+    // first of the row.
     const auto own = mesh_.halfedge_handle(v);
     const auto start = mesh_.is_boundary(own) ? next(own) : own;
     auto h = start;
@@ -73,7 +146,7 @@ std::vector<std::vector<Index>> boundary_loops(const HalfEdgeMesh& mesh) {
   for (const OpenMesh::VertexHandle seed : mesh.vertices()) {
     if (mesh.is_isolated(seed) || !mesh.is_boundary(seed) || visited[at(seed.idx())]) continue;
     std::vector<Index> loop;
-    // Boundary half-edges have the elements on their right: against them they are on the left.
+    // Boundary half-edges have the elements on their right, so the walk is against them.
     const auto start = mesh.halfedge_handle(seed);
     auto h = start;
     do {
@@ -105,22 +178,8 @@ void check_surface_manifold(const MeshData& data, const FacePairs& pairs) {
 
 namespace {
 
-/// Row i holds the second members of the pairs (i, value) that `each` hands to its argument twice,
-/// first to count them.
-template <typename Each>
-CompressedRows rows_of(Index node_count, const Each& each) {
-  CompressedRows rows;
-  rows.offsets.assign(at(node_count) + 1, 0);
-  each([&](Index row, Index) { ++rows.offsets[at(row) + 1]; });
-  for (std::size_t i = 1; i < rows.offsets.size(); ++i) rows.offsets[i] += rows.offsets[i - 1];
-  rows.values.resize(at(rows.offsets.back()));
-  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
-  each([&](Index row, Index value) { rows.values[at(next[at(row)]++)] = value; });
-  return rows;
-}
-
-/// Neighbours of nodes along the edges of the elements around them, ascending. They are found block
-/// by block of the order, and put to their places when the lengths of all are known.
+/// Neighbours of nodes along the edges of the elements around them, ascending. find() collects them
+/// block by block of the order; put() copies them into the rows when all lengths are known.
 class NeighbourRows {
  public:
   explicit NeighbourRows(const OrderedStars& stars)
@@ -132,7 +191,7 @@ class NeighbourRows {
     const auto nodes = static_cast<Index>(stars_.order.nodes.size());
     parallel_for(0, nodes, [&](Index begin, Index end) { find(begin, end); });
     auto& offsets = rows_.offsets;
-    for (std::size_t i = 1; i < offsets.size(); ++i) offsets[i] += offsets[i - 1];
+    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
     rows_.values.resize(at(offsets.back()));
     parallel_for(0, nodes, [&](Index begin, Index end) { put(begin, end); });
     return std::move(rows_);
@@ -153,13 +212,12 @@ class NeighbourRows {
     }
   }
 
-  /// By their numbers in the order, each once.
+  /// Adds each neighbour once, by its number in the order.
   void add_neighbours(Index k, std::vector<Index>& values) const {
     const auto begin = static_cast<std::ptrdiff_t>(values.size());
     for (const Index e : stars_.elements[k]) {
       const auto corners = stars_.order.corners[e];
-      const auto corner = std::ranges::find(corners, k) - corners.begin();
-      for (const Index c : shape_of(stars_.types[at(e)]).links[static_cast<std::size_t>(corner)]) {
+      for (const Index c : shape_of(stars_.types[at(e)]).links[index_of(corners, k)]) {
         const Index other = corners[at(c)];
         if (std::find(values.begin() + begin, values.end(), other) == values.end())
           values.push_back(other);
@@ -182,18 +240,17 @@ class NeighbourRows {
   CompressedRows rows_;
 };
 
-/// Edges at which more than two boundary faces meet. Throws MeshError naming a node of one.
+/// Throws MeshError naming a node of an edge at which more than two boundary faces meet.
 void check_boundary_edges(const Topology& topology) {
   std::vector<std::array<Index, 2>> edges;
-  for (Index f = 0; f < topology.face_count(); ++f) {
-    const auto [face, elements] = topology.face(f);
-    if (elements[1] >= 0) continue;
-    for (std::size_t k = 0; k < face.size(); ++k) {
-      const Index a = face[k], b = face[(k + 1) % face.size()];
-      edges.push_back({std::min(a, b), std::max(a, b)});
+  for_boundary_faces(topology, [&](Index, const Topology::SharedFace& face) {
+    const Face& nodes = face.nodes;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const auto [low, high] = std::minmax({nodes[k], nodes[(k + 1) % nodes.size()]});
+      edges.push_back({low, high});
     }
-  }
-  std::sort(edges.begin(), edges.end());
+  });
+  std::ranges::sort(edges);
   for (std::size_t i = 2; i < edges.size(); ++i) {
     if (edges[i] != edges[i - 2]) continue;
     throw MeshError(MeshEntity::node, edges[i][0],
@@ -211,26 +268,21 @@ Box<3> box_around(const Coordinates& coordinates) {
   return box;
 }
 
-/// The faces of elements at a corner of theirs, by the numbers of corners.
+/// The faces of an element at one of its corners, by the numbers of corners.
 const std::vector<Face>& faces_at(ElementType type, std::size_t corner) {
-  using OfCorners = std::vector<std::vector<Face>>;
-  static const std::array<OfCorners, all_element_types.size()> all = [] {
-    std::array<OfCorners, all_element_types.size()> table;
-    for (const ElementType t : all_element_types) {
-      OfCorners& own = table[static_cast<std::size_t>(t)];
-      own.resize(at(corner_count(t)));
-      for (const Face& face : shape_of(t).faces)
-        for (const Index k : face) own[at(k)].push_back(face);
-    }
-    return table;
-  }();
+  static const auto all = table_by_type([](ElementType of) {
+    std::vector<std::vector<Face>> at_corners(at(corner_count(of)));
+    for (const Face& face : shape_of(of).faces)
+      for (const Index k : face) at_corners[at(k)].push_back(face);
+    return at_corners;
+  });
   return all[static_cast<std::size_t>(type)][corner];
 }
 
-/// Faces at one node, and the elements of its star that have them.
+/// A hash table of the faces at one node and of the elements that they belong to.
 class FaceTable {
  public:
-  /// Forgets all. sides: of elements at the node, at most.
+  /// Empties the table. sides: an upper bound for the number of sides that follow.
   void begin(std::size_t sides) {
     while (slots_.size() < 2 * sides) {
       slots_.assign(2 * slots_.size(), {});
@@ -238,7 +290,8 @@ class FaceTable {
     }
     ++round_;
   }
-  /// The element, by its place in the star, that has the face, too; -1: none of those before.
+  /// Adds a face of an element of the star. Returns the element that was added with the same face
+  /// before; -1: none.
   Index meet(const std::array<Index, 4>& face, Index element) {
     std::uint64_t hash = 0;
     for (const Index node : face)
@@ -254,59 +307,45 @@ class FaceTable {
   struct Slot {
     std::array<Index, 4> face{};
     Index element = -1;
-    Index round = 0;  // others are of nodes before
+    Index round = 0;  // slots of earlier rounds are empty
   };
   std::vector<Slot> slots_ = std::vector<Slot>(256);
   unsigned shift_ = 56;  // 64 less the bits of a place
   Index round_ = 0;
 };
 
-/// The link of a node (its star's outer surface) is a sphere, or on the boundary a disc, exactly if
-/// it is connected and its Euler characteristic is 2, or 1.
+/// Checks that the link of a node is a sphere, or a disc on the boundary. It is if and only if the
+/// link is connected and its Euler characteristic is 2, or 1 on the boundary.
 class LinkCheck {
  public:
   explicit LinkCheck(const OrderedStars& stars) : stars_(stars) {}
 
-  /// node: by its number in the order; edges: at it.
+  /// node: its number in the order. edges: number of edges at the node.
   bool holds(Index node, Index edges) {
     constexpr std::size_t most_faces = 4;  // of an element at a corner
     const auto star = stars_.elements[node];
     const auto count = static_cast<Index>(star.size());
     if (count == 0) return true;
     faces_.begin(most_faces * star.size());
-    joined_.resize(star.size());
-    std::iota(joined_.begin(), joined_.end(), 0);
+    joined_.reset(star.size());
     Index faces = 0, open = 0, parts = count;
     for (Index place = 0; place < count; ++place) {
       const Index e = star[at(place)];
       const auto corners = stars_.order.corners[e];
-      const auto corner = std::ranges::find(corners, node) - corners.begin();
-      for (const Face& face : faces_at(stars_.types[at(e)], static_cast<std::size_t>(corner))) {
+      for (const Face& face : faces_at(stars_.types[at(e)], index_of(corners, node))) {
         const Index other = faces_.meet(by_nodes(face, corners).sorted(), place);
         faces += other < 0 ? 1 : 0;
         open += other < 0 ? 1 : -1;
-        if (other >= 0 && join(other, place)) --parts;
+        if (other >= 0 && joined_.join(other, place)) --parts;
       }
     }
     return parts == 1 && edges - faces + count == (open > 0 ? 1 : 2);
   }
 
  private:
-  Index root(Index place) {
-    while (joined_[at(place)] != place)
-      place = joined_[at(place)] = joined_[at(joined_[at(place)])];
-    return place;
-  }
-  /// False: they were joined before.
-  bool join(Index a, Index b) {
-    const Index from = root(a), to = root(b);
-    joined_[at(from)] = to;
-    return from != to;
-  }
-
   const OrderedStars& stars_;
   FaceTable faces_;
-  std::vector<Index> joined_;  // elements of the star: towards one for all that hang together
+  JoinedSets joined_;  // elements of the star that are connected by faces
 };
 
 }  // namespace
@@ -332,7 +371,7 @@ CompressedRows volume_neighbours(const OrderedStars& stars) { return NeighbourRo
 void check_volume_manifold(const Topology& topology, const OrderedStars& stars) {
   check_boundary_edges(topology);
   const Index nodes = topology.node_count();
-  std::vector<Index> failed(at(nodes / parallel_block + 1), nodes);  // the lowest one of each block
+  std::vector<Index> failed(at(nodes / parallel_block + 1), nodes);  // the lowest of each block
   parallel_for(0, nodes, [&](Index begin, Index end) {
     LinkCheck check(stars);
     Index& lowest = failed[at(begin / parallel_block)];
@@ -348,6 +387,23 @@ void check_volume_manifold(const Topology& topology, const OrderedStars& stars) 
                   "node " + std::to_string(node) +
                       " joins parts of the mesh, or of its boundary, that meet in this node only "
                       "(non-manifold)");
+}
+
+void check_matching_faces(const Topology& topology) {
+  for_boundary_faces(topology, [&](Index, const Topology::SharedFace& face) {
+    if (face.nodes.size() != 4) return;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Face half(face.nodes[k], face.nodes[(k + 1) % 4], face.nodes[(k + 2) % 4]);
+      const auto triangle = topology.find_face(half);
+      if (!triangle) continue;
+      const Index e = topology.face(*triangle).elements[0];
+      throw MeshError(MeshEntity::element, e,
+                      "the triangle with " + nodes_text(half) + " of element " + std::to_string(e) +
+                          " covers half of a quadrilateral of element " +
+                          std::to_string(face.elements[0]) +
+                          ", expected neighbours to share a whole face");
+    }
+  });
 }
 
 }  // namespace winslow

@@ -6,24 +6,14 @@
 
 namespace winslow {
 
-namespace {
-
-void require_volume(const Topology& topology) {
-  if (topology.cell_dimension() != 3)
-    throw UsageError("surfaces of elements: only for a volume mesh, and this is a " +
-                     std::string(mesh_kind(topology)));
-}
-
-}  // namespace
-
 std::vector<SurfaceFace> boundary_faces(const Topology& topology) {
-  if (topology.cell_dimension() == 2 && topology.space_dimension() == 3) {
+  if (is_surface(topology)) {
     std::vector<SurfaceFace> elements;
     for (Index e = 0; e < topology.element_count(); ++e)
       elements.push_back({Face(topology.element(e)), e, -1, -1});
     return elements;
   }
-  require_volume(topology);
+  require_kind(topology, MeshKind::volume, "surfaces of elements");
   std::vector<Index> marker_of(at(topology.face_count()), -1);
   for (std::size_t m = 0; m < topology.markers().size(); ++m) {
     for (const Face& face : topology.markers()[m].faces) {
@@ -46,7 +36,7 @@ std::vector<SurfaceFace> outer_faces(const Topology& topology,
     std::erase_if(elements, [&](const SurfaceFace& face) { return chosen[at(face.element)] == 0; });
     return elements;
   }
-  require_volume(topology);
+  require_kind(topology, MeshKind::volume, "surfaces of elements");
   const auto has = [&](Index e) { return e >= 0 && chosen[at(e)] != 0; };
   std::vector<SurfaceFace> faces;
   for (Index f = 0; f < topology.face_count(); ++f) {
@@ -101,7 +91,7 @@ Vec3 centre_of(const SpacePoints& x, const Face& face) {
 
 namespace {
 
-/// A face has its corners a, b in this order.
+/// Whether the face has the nodes of the edge one after the other in this order.
 bool runs_along(const Face& face, const std::array<Index, 2>& edge) {
   for (std::size_t k = 0; k < face.size(); ++k)
     if (face[k] == edge[0] && face[(k + 1) % face.size()] == edge[1]) return true;
@@ -121,7 +111,7 @@ std::vector<unsigned char> feature_edges(const SpacePoints& x, std::span<const S
     const SurfaceFace& b = faces[at(around[1])];
     if (a.marker != b.marker) continue;
     const Vec3 p = area_vector(x, a.nodes), q = area_vector(x, b.nodes);
-    // Faces that are seen from one side run along their edge in opposite directions.
+    // Neighbours that are oriented alike have their common edge in opposite directions.
     const bool one_side =
         runs_along(a.nodes, edges.nodes[k]) != runs_along(b.nodes, edges.nodes[k]);
     const double cosine = (one_side ? 1 : -1) * p.dot(q);

@@ -8,7 +8,7 @@
 #include "core/mesh/mesh_data.h"
 #include "core/types.h"
 
-/// What is connected with what:
+/// The connectivity of a mesh:
 ///
 ///     const winslow::Topology& topology = *mesh.topology;
 ///     for (const winslow::Index other : topology.neighbours(node))
@@ -17,13 +17,14 @@ namespace winslow {
 
 class HalfEdgeMesh;  // OpenMesh connectivity; see core/mesh/half_edge.h
 
-/// Connectivity of a plane, surface or volume mesh: built and checked once, shared and immutable
-/// from then on.
+/// Connectivity of a plane, surface or volume mesh. It is built and checked once, shared and never
+/// changed.
 ///
-/// Elements of each connected part are oriented alike. Those of the plane are counter-clockwise and
-/// those of space are numbered as ElementShape says: the sum of the signed areas or volumes of the
-/// part is positive. Those of a surface are as the first element of their part. An element that the
-/// file holds the other way round keeps its first node and has the others mirrored.
+/// The elements of each connected part are oriented alike. Plane elements are counter-clockwise and
+/// volume elements are numbered as in ElementShape: the sum of the signed areas or volumes of the
+/// part is positive. Elements of a surface mesh are oriented as the first element of their part. An
+/// element with the other orientation in the file keeps its first node, and its other nodes are
+/// mirrored.
 ///
 /// A face is what separates two elements: an edge of a plane or surface mesh, a triangle or a
 /// quadrilateral of a volume mesh.
@@ -40,7 +41,8 @@ class Topology {
   Topology(const Topology&) = delete;
   Topology& operator=(const Topology&) = delete;
 
-  int cell_dimension() const { return types_.empty() ? 2 : dimension_of(types_.front()); }
+  MeshKind kind() const { return kind_; }
+  int cell_dimension() const { return cell_dimension_of(kind_); }
   int space_dimension() const { return space_dimension_; }
   Index node_count() const { return neighbours_.rows(); }
   Index element_count() const { return static_cast<Index>(types_.size()); }
@@ -50,24 +52,24 @@ class Topology {
   std::span<const Index> element(Index e) const { return elements_[e]; }
   const CompressedRows& elements() const { return elements_; }
 
-  /// Edge neighbours of a node. In plane and surface meshes counter-clockwise: the row of a
-  /// boundary node starts and ends on the boundary, that of another at its lowest neighbour; in
-  /// volume meshes ascending. Empty for a node that no element uses.
+  /// Edge neighbours of a node; empty for a node that no element uses. In volume meshes they are
+  /// ascending. In plane and surface meshes they are counter-clockwise: the row of a boundary node
+  /// starts and ends on the boundary, the row of an interior node starts at its lowest neighbour.
   std::span<const Index> neighbours(Index node) const { return neighbours_[node]; }
   const CompressedRows& neighbour_rows() const { return neighbours_; }
-  /// Elements around a node. In plane and surface meshes entry k lies between neighbour k and
-  /// neighbour k+1 (cyclic for an interior node; one fewer than the neighbours for a boundary
-  /// node); in volume meshes ascending. The link that they make up: see core/mesh/topology.h.
+  /// Elements around a node. In volume meshes they are ascending. In plane and surface meshes entry
+  /// k lies between neighbour k and neighbour k+1 (cyclic for an interior node; a boundary node has
+  /// one element fewer than neighbours). See also node_link().
   std::span<const Index> star(Index node) const { return star_[node]; }
 
-  /// True for the nodes of boundary faces and of markers, be they inside or outside.
+  /// True for the nodes of boundary faces and of markers; a marker may lie inside the mesh.
   bool on_boundary(Index node) const { return on_boundary_[static_cast<std::size_t>(node)] != 0; }
   /// True if some element uses the node.
   bool used(Index node) const { return !neighbours(node).empty(); }
   /// The used nodes that are not on the boundary, ascending.
   std::span<const Index> interior_nodes() const { return interior_nodes_; }
 
-  /// A face and the elements beside it; those of the boundary have one, elements[1] == -1.
+  /// A face and its elements. A boundary face has one element, and elements[1] == -1.
   struct SharedFace {
     Face nodes;  ///< lower node first in a plane or surface mesh; seen from outside elements[0],
                  ///< counter-clockwise, in a volume mesh
@@ -100,16 +102,19 @@ class Topology {
   /// Number of elements whose orientation was reversed on load.
   Index reversed_elements() const { return reversed_; }
 
-  /// Half-edges of a plane or surface mesh, for walks: made on the first call, by whichever thread
-  /// comes first, and kept. A triangle mesh of 500,000 nodes has 54 MB of them, as much again as
-  /// all the rest of its topology, and they take 0.04 s; runs without layers do without. Throws
-  /// UsageError for a volume mesh.
+  /// Half-edges of a plane or surface mesh. The first call makes them, and they are kept; any
+  /// thread may call. For a triangle mesh of 500,000 nodes they take 54 MB, as much as the rest of
+  /// the topology, and 0.04 s; runs without layers do not need them. Throws UsageError for a volume
+  /// mesh.
   const HalfEdgeMesh& half_edges() const;
 
  private:
   Topology();
+  /// Throws UsageError for a volume mesh. what: the thing that it does not have.
+  void require_edges(const char* what) const;
   friend class TopologyBuilder;
 
+  MeshKind kind_ = MeshKind::plane;
   int space_dimension_ = 2;
   std::vector<ElementType> types_;
   CompressedRows elements_;
@@ -128,14 +133,18 @@ class Topology {
   mutable std::unique_ptr<HalfEdgeMesh> half_edges_;
 };
 
-/// Elements of two dimensions in space of three.
-inline bool is_surface(const Topology& topology) {
-  return topology.cell_dimension() < topology.space_dimension();
-}
+inline MeshKind kind_of(const Topology& topology) { return topology.kind(); }
+inline bool is_surface(const Topology& topology) { return topology.kind() == MeshKind::surface; }
 /// "plane mesh", "surface mesh" or "volume mesh".
-std::string_view mesh_kind(const Topology& topology);
-/// Throws UsageError unless it is a plane mesh. what: "layers", as the message is to begin.
-void require_plane(const Topology& topology, std::string_view what);
+inline std::string_view mesh_kind(const Topology& topology) {
+  return words_of(topology.kind()).mesh;
+}
+/// Throws UsageError unless the mesh is of that kind. what: the beginning of the message, as
+/// "layers".
+void require_kind(const Topology& topology, MeshKind kind, std::string_view what);
+inline void require_plane(const Topology& topology, std::string_view what) {
+  require_kind(topology, MeshKind::plane, what);
+}
 /// Throws UsageError unless it is a volume mesh. found: as the message is to begin, mesh_kind()
 /// follows.
 void require_volume(const Topology& topology, std::string_view found);
@@ -144,36 +153,34 @@ void require_volume(const Topology& topology, std::string_view found);
 /// std::integral_constant. Throws as require_plane() for a surface mesh.
 template <typename Visit>
 decltype(auto) in_dimension(const Topology& topology, std::string_view what, Visit&& visit) {
-  if (topology.cell_dimension() == 3) return visit(std::integral_constant<int, 3>());
+  if (topology.kind() == MeshKind::volume) return visit(std::integral_constant<int, 3>());
   require_plane(topology, what);
   return visit(std::integral_constant<int, 2>());
 }
 
-/// What a mesh is made of: faces in the plane, faces in space, cells in space. In words:
-/// mesh_kind().
-enum class MeshKind { plane, surface, volume };
-
-inline MeshKind kind_of(const Topology& topology) {
-  if (topology.cell_dimension() == 3) return MeshKind::volume;
-  return is_surface(topology) ? MeshKind::surface : MeshKind::plane;
+/// Calls visit(index, face) for every boundary face.
+template <class Visit>
+void for_boundary_faces(const Topology& topology, const Visit& visit) {
+  for (Index f = 0; f < topology.face_count(); ++f) {
+    const Topology::SharedFace face = topology.face(f);
+    if (face.elements[1] < 0) visit(f, face);
+  }
 }
 
-/// Dimension of the elements.
-inline constexpr int cell_dimension_of(MeshKind kind) { return kind == MeshKind::volume ? 3 : 2; }
-
-/// What surrounds a node:
+/// The link of a node:
 ///
 ///     for (const winslow::Face& face : winslow::node_link(*mesh.topology, node))
 ///       std::puts(winslow::nodes_text(face).c_str());
 
-/// The link of a node: what each element of its star cuts off (see ElementShape::links), by the
-/// nodes of the mesh, in the order of Topology::star().
+/// The link of a node, as one part for each element of its star, in the order of Topology::star():
+/// the segment or polygon through the other ends of the element's edges at the node
+/// (ElementShape::links), by the nodes of the mesh.
 ///
-/// In a plane or surface mesh these are segments from one neighbour to the next, counter-clockwise;
-/// in a volume mesh polygons with the node behind them: triangles, and quadrilaterals at the apex
-/// of pyramids. They make up a closed curve or surface around an interior node, an open one at a
-/// boundary node. Of triangles and tetrahedra it is the outer boundary of the star; elements with
-/// more corners are cut.
+/// In a plane or surface mesh the parts are segments from one neighbour to the next,
+/// counter-clockwise. In a volume mesh they are triangles, and quadrilaterals at the apex of
+/// pyramids, with the node behind them. Together they are a closed curve or surface around an
+/// interior node, an open one at a boundary node. Where the star has only triangles or tetrahedra
+/// it is the outer boundary of the star.
 std::vector<Face> node_link(const Topology& topology, Index node);
 
 }  // namespace winslow

@@ -6,8 +6,6 @@ namespace winslow {
 
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 double distance(const Vec2& p, const Facet<2>& s) {
   const Vec2 along = s[1] - s[0];
   const double length = along.squaredNorm();

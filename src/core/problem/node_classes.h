@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "core/geometry/curve_row.h"
+#include "core/geometry/curve.h"
 #include "core/geometry/element_normals.h"
 #include "core/geometry/periodic_pairs.h"
-#include "core/geometry/sliding_geometry.h"
+#include "core/geometry/sliding_boundary.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
 #include "core/types.h"

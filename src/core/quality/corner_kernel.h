@@ -2,8 +2,8 @@
 
 #include "core/index.h"
 
-/// The loop behind check_validity, four corners at a time, in machine code for the processor at
-/// hand. Every version gives the same bits as Corner.
+/// The loop of check_validity() over plane meshes, four corners at a time, compiled for several
+/// instruction sets. Every version gives the same bits as Corner.
 namespace winslow {
 
 struct CornerData {
@@ -13,7 +13,7 @@ struct CornerData {
 };
 
 struct CornerSummary {
-  Index inverted = 0;   ///< elements with a corner without positive area
+  Index inverted = 0;   ///< elements with a corner whose area is not positive
   double min_sine = 1;  ///< of all corners; at most 1
 };
 

@@ -17,36 +17,6 @@ std::string number(const char* format, double value) {
   return text;
 }
 
-/// Compares what is measured of walls one after the other, in one order.
-class HeightComparison {
- public:
-  void add(const WallMeasures& before, const WallMeasures& after) {
-    for (std::size_t k = 0; k < before.first_height.size(); ++k) {
-      const double ratio = after.first_height[k] / before.first_height[k];
-      if (!std::isfinite(ratio)) continue;
-      ratios_.push_back(ratio);
-      if (std::abs(ratio - 1) > FirstHeightChange::tolerance) ++changed_;
-      const double factor = std::abs(std::log(ratio));
-      if (change_.worst_node >= 0 && factor <= worst_factor_) continue;
-      worst_factor_ = factor;
-      change_.worst_node = before.wall.nodes[k];
-      change_.worst_ratio = ratio;
-    }
-  }
-  FirstHeightChange result() {
-    if (!ratios_.empty())
-      change_.off = static_cast<double>(changed_) / static_cast<double>(ratios_.size());
-    change_.ratio = quantiles_of(std::move(ratios_));
-    return change_;
-  }
-
- private:
-  std::vector<double> ratios_;
-  std::size_t changed_ = 0;
-  double worst_factor_ = 0;
-  FirstHeightChange change_;
-};
-
 std::vector<WallMeasures> heights_only(const Mesh& mesh) {
   std::vector<WallMeasures> walls;
   for (Wall& wall : find_walls(mesh)) {
@@ -71,9 +41,9 @@ void describe_sine(double before, double after, const Mesh& mesh, Damage& damage
   const Index worst = worst_element(mesh, Metric::normalized_jacobian);
   damage.element = worst;
   damage.text +=
-      (damage.text.empty() ? "" : ", and ") +
-      std::string(mesh.topology->cell_dimension() == 3 ? "the smallest scaled Jacobian fell from "
-                                                       : "the smallest sine fell from ") +
+      std::string(damage.text.empty() ? "" : ", and ") +
+      (mesh.topology->kind() == MeshKind::volume ? "the smallest scaled Jacobian fell from "
+                                                 : "the smallest sine fell from ") +
       number("%.3g", before) + " to " + number("%.3g", after) + " at " +
       place_text(element_centre(mesh, worst), mesh.coordinates.dimension());
 }
@@ -86,9 +56,26 @@ std::optional<FirstHeightChange> compare_first_heights(std::span<const WallMeasu
     return a.wall.nodes == b.wall.nodes;
   };
   if (!std::ranges::equal(before, after, same)) return std::nullopt;
-  HeightComparison comparison;
-  for (std::size_t w = 0; w < before.size(); ++w) comparison.add(before[w], after[w]);
-  return comparison.result();
+  FirstHeightChange change;
+  std::vector<double> ratios;
+  std::size_t changed = 0;
+  double worst_factor = 0;
+  for (std::size_t w = 0; w < before.size(); ++w)
+    for (std::size_t k = 0; k < before[w].first_height.size(); ++k) {
+      const double ratio = after[w].first_height[k] / before[w].first_height[k];
+      if (!std::isfinite(ratio)) continue;
+      ratios.push_back(ratio);
+      if (std::abs(ratio - 1) > FirstHeightChange::tolerance) ++changed;
+      const double factor = std::abs(std::log(ratio));
+      if (change.worst_node >= 0 && factor <= worst_factor) continue;
+      worst_factor = factor;
+      change.worst_node = before[w].wall.nodes[k];
+      change.worst_ratio = ratio;
+    }
+  if (!ratios.empty())
+    change.off = static_cast<double>(changed) / static_cast<double>(ratios.size());
+  change.ratio = quantiles_of(std::move(ratios));
+  return change;
 }
 
 bool spoils_walls(const FirstHeightChange& change) {
@@ -103,7 +90,7 @@ Damage find_damage(const Mesh& before, const Mesh& after) {
   const Validity was = check_validity(*before.topology, before.coordinates);
   const Validity is = check_validity(*after.topology, after.coordinates);
   if (was.inverted > 0 || is.inverted > 0) return damage;
-  if (before.topology->space_dimension() == 2) describe_heights(before, after, damage);
+  if (before.topology->kind() == MeshKind::plane) describe_heights(before, after, damage);
   describe_sine(was.min_sine, is.min_sine, after, damage);
   return damage;
 }
@@ -117,13 +104,15 @@ std::string broken(const FieldInfo& info, double limit) {
   return std::string(info.label) + text;
 }
 
-/// Written so that a value that is no number is within no limit.
+/// False for NaN.
 bool within(const FieldInfo& info, double value, double limit) {
   return info.larger_is_better ? value >= limit : value <= limit;
 }
 
-/// An element that came no better than this. Of what moves as a whole the last digits change.
-bool came_so(const Mesh& mesh, const Coordinates& given, Index e, Metric metric, double value) {
+/// Whether an element was no better in the given mesh, up to round-off, which changes the last
+/// digits of elements that move as a whole.
+bool was_no_better(const Mesh& mesh, const Coordinates& given, Index e, Metric metric,
+                   double value) {
   constexpr double round_off = 1e-6;
   const FieldInfo& info = metric_info(metric, 3).field;
   const double before = element_value({mesh.topology, given}, e, metric);
@@ -131,17 +120,15 @@ bool came_so(const Mesh& mesh, const Coordinates& given, Index e, Metric metric,
   return before == value || within(info, value, before + (info.larger_is_better ? -slack : slack));
 }
 
-std::vector<Metric> all_limited() {
-  std::vector<Metric> all = reported_metrics(2);
-  for (const Metric metric : reported_metrics(3))
-    if (std::ranges::find(all, metric) == all.end()) all.push_back(metric);
-  return all;
-}
-
 }  // namespace
 
 const std::vector<Metric>& limited_metrics() {
-  static const std::vector<Metric> all = all_limited();
+  static const std::vector<Metric> all = [] {
+    std::vector<Metric> list = reported_metrics(2);
+    for (const Metric metric : reported_metrics(3))
+      if (std::ranges::find(list, metric) == list.end()) list.push_back(metric);
+    return list;
+  }();
   return all;
 }
 
@@ -151,11 +138,11 @@ bool QualityFloor::given() const {
 
 void QualityFloor::set(Metric metric, double limit) {
   const auto& limited = limited_metrics();
-  const auto found = std::ranges::find(limited, metric);
-  if (found == limited.end())
+  const std::size_t m = index_of(limited, metric);
+  if (m == limited.size())
     throw UsageError("no limit can be set to the " + std::string(metric_name(metric)) +
                      ": it is not reported");
-  limits[static_cast<std::size_t>(found - limited.begin())] = limit;
+  limits[m] = limit;
 }
 
 void QualityFloor::require_dimension(int cell_dimension) const {
@@ -163,13 +150,10 @@ void QualityFloor::require_dimension(int cell_dimension) const {
   for (std::size_t m = 0; m < limits.size(); ++m) {
     const Metric metric = limited_metrics()[m];
     if (!limits[m] || std::ranges::find(reported, metric) != reported.end()) continue;
-    std::string known;
-    for (const Metric other : reported)
-      known += (known.empty() ? "" : ", ") + std::string(metric_name(other));
     throw UsageError("a limit of the quality (min-quality): found " +
                      std::string(metric_name(metric)) + ", which " +
                      (cell_dimension == 2 ? "plane" : "volume") +
-                     " elements do not have, expected one of: " + known);
+                     " elements do not have, expected one of: " + listed(reported, metric_name));
   }
 }
 
@@ -185,8 +169,8 @@ std::string QualityFloor::fault(const Mesh& mesh, const Coordinates& given) cons
     for (Index e = 0; e < topology.element_count(); ++e) {
       const double value = values[static_cast<std::size_t>(e)];
       if (within(info, value, limit)) continue;
-      const bool apart = dimension == 3 && all_on_boundary(topology, e);
-      if (!apart || !came_so(mesh, given, e, metric, value)) return broken(info, limit);
+      const bool apart = topology.kind() == MeshKind::volume && all_on_boundary(topology, e);
+      if (!apart || !was_no_better(mesh, given, e, metric, value)) return broken(info, limit);
     }
   }
   return {};

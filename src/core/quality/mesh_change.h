@@ -4,62 +4,62 @@
 
 namespace winslow {
 
-/// First heights of one mesh over those of another.
+/// The change of first heights from one mesh to another.
 struct FirstHeightChange {
-  /// A height has changed if it differs by more than this share of what it was.
+  /// A height counts as changed if the relative change is larger than this.
   static constexpr double tolerance = 0.05;
 
   Quantiles ratio;  ///< after / before, of the nodes that have both; count 0: there are none
-  double off = 0;   ///< share of these nodes whose height has changed
-  /// The node whose height has changed by the largest factor; -1: there is none.
+  double off = 0;   ///< share of these nodes with a changed height
+  /// The node with the largest factor of change; -1: there is none.
   Index worst_node = -1;
   double worst_ratio = 1;
 };
 
-/// Empty where the walls are not of the same nodes: another mesh, or layers in between.
+/// Empty if the walls have other nodes: of another mesh, or after layers were inserted.
 std::optional<FirstHeightChange> compare_first_heights(std::span<const WallMeasures> before,
                                                        std::span<const WallMeasures> after);
 
-/// Whether the walls' cells are not what they were: at more than 5 % of the nodes the height has
-/// changed, or at any of them by more than 20 %.
+/// Whether a change spoils the cells at walls: the heights of more than 5 % of the nodes have
+/// changed, or the height of any node by more than 20 %.
 bool spoils_walls(const FirstHeightChange& change);
 
-/// What a motion or a smoothing run has spoilt, for a flow solver.
+/// What a motion or a smoothing run has made worse for a flow solver.
 struct Damage {
-  /// With the figures and the worst places, as the beginning of a sentence without its full stop;
-  /// empty: nothing is spoilt.
+  /// One sentence with figures and the worst places, without its full stop; empty: no damage.
   std::string text;
-  std::optional<Index> node;     ///< of a wall, whose first height has changed most
-  std::optional<Index> element;  ///< with the smallest sine, if that has fallen
+  std::optional<Index> node;     ///< the wall node with the largest change of the first height
+  std::optional<Index> element;  ///< the element with the smallest sine, if that has fallen
 };
 
-/// First heights (as above), and a smallest sine that is less than half of what it was. Of a mesh
-/// that has or had inverted elements nothing is said, nor of meshes of different connectivity.
+/// Damage is a change of first heights that spoils_walls(), or a smallest sine less than half of
+/// the one before. There is no damage if one of the meshes has inverted elements, or if they have
+/// different topologies.
 Damage find_damage(const Mesh& before, const Mesh& after);
 
-/// A motion that ends before the mesh gets worse than this:
+/// A motion that ends before an element becomes worse than a limit:
 ///
 ///     winslow::MoveCommand move;
 ///     move.how.floor.set(winslow::Metric::normalized_jacobian, 0.2);
 
-/// All metrics to which a limit can be set: those reported of plane meshes, in their order, then
-/// those that volume meshes alone have.
+/// All metrics that can have a limit: those reported of plane meshes, in their order, then those
+/// that are only reported of volume meshes.
 const std::vector<Metric>& limited_metrics();
 
-/// Values that no element may be worse than.
+/// Limits for the quality of all elements.
 struct QualityFloor {
-  /// Of limited_metrics(), in their order: a least value where larger is better, else a largest.
+  /// Of limited_metrics(), in their order: the least value if larger is better, else the largest.
   std::vector<std::optional<double>> limits =
       std::vector<std::optional<double>>(limited_metrics().size());
 
   bool given() const;
   /// Throws UsageError for a metric that is not reported.
   void set(Metric metric, double limit);
-  /// Throws UsageError for a limit to what elements of that dimension do not have.
+  /// Throws UsageError for a limit of a metric that elements of that dimension do not have.
   void require_dimension(int cell_dimension) const;
   /// The first limit that a mesh breaks, e.g. "Normalized Jacobian would be less than 0.3"; empty:
-  /// none. Elements of a volume mesh whose nodes all lie on the boundary, which no smoothing can
-  /// change, break one only where they are worse than they came. given: the mesh as it came.
+  /// none. No smoothing can change elements of a volume mesh with all nodes on the boundary: they
+  /// break a limit only if they are also worse than in the given mesh. given: its coordinates.
   std::string fault(const Mesh& mesh, const Coordinates& given) const;
 
   bool operator==(const QualityFloor&) const = default;

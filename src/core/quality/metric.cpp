@@ -10,7 +10,7 @@ namespace {
 
 using Corners = std::span<const Corner>;
 
-/// R/(2r) of half a square: the value that a quadrilateral's corners are measured against.
+/// R/(2r) of half a square, by which values of corners of quadrilaterals are divided.
 const double square_radius_ratio = (1 + std::sqrt(2.0)) / 2;
 
 double smallest_sine(Corners corners) {
@@ -18,6 +18,10 @@ double smallest_sine(Corners corners) {
   for (const Corner& corner : corners) smallest = std::min(smallest, corner.sine());
   return smallest;
 }
+
+constexpr const char* condition_help =
+    "Weighted condition number of the corners. 1 is best for a mesh that is not stretched on "
+    "purpose. Inverted elements are left out.";
 
 double aspect_ratio(Corners corners) {
   double largest = 0;
@@ -56,7 +60,7 @@ double skewness(Corners corners) {
   const double ideal = corners.size() == 3 ? 60 : 90;
   const double wide = (largest_angle(corners) - ideal) / (180 - ideal);
   const double narrow = (ideal - smallest_angle(corners)) / ideal;
-  return std::max({wide, narrow, 0.0});  // round-off of a perfect element is no skewness below 0
+  return std::max({wide, narrow, 0.0});  // round-off of a perfect element could be negative
 }
 
 double area(Corners corners) {
@@ -66,225 +70,156 @@ double area(Corners corners) {
   return sum;
 }
 
-/// Those of plane elements, in the order of the enumeration.
+/// In the order of the enumeration.
 constexpr std::array plane_metrics{
-    MetricInfo{
-        .metric = Metric::normalized_jacobian,
-        .field = {.name = "normalized_jacobian",
-                  .label = "Normalized Jacobian",
-                  .help = "Sine of every corner angle: 0.866 for an equilateral triangle, 1 for a "
-                          "right angle, negative where an element is inverted. Larger is better.",
-                  .larger_is_better = true,
-                  .colors = ColorRange::zero_to_one,
-                  .threshold = 0.5,
-                  .has_sign = true},
-        .of_element = smallest_sine,
-        .reported = true,
-        .of_corner = [](const Corner& corner) { return corner.sine(); }},
-    MetricInfo{
-        .metric = Metric::aspect_ratio,
-        .field = {.name = "aspect_ratio",
-                  .label = "Aspect ratio",
-                  .help = "R/2r, circumradius over twice the inradius. 1 is best for a mesh "
-                          "that is not stretched on purpose. Inverted elements are left out.",
-                  .larger_is_better = false,
-                  .colors = ColorRange::from_one,
-                  .threshold = 1.5,
-                  .judged = false},
-        .of_element = aspect_ratio,
-        .reported = true},
-    MetricInfo{
-        .metric = Metric::condition_number,
-        .field = {.name = "condition_number",
-                  .label = "Condition number",
-                  .help = "Weighted condition number of the corners. 1 is best for a mesh "
-                          "that is not stretched on purpose. Inverted elements are left out.",
-                  .larger_is_better = false,
-                  .colors = ColorRange::from_one,
-                  .threshold = 1.5,
-                  .judged = false},
-        .of_element = condition_number,
-        .reported = true},
-    MetricInfo{
-        .metric = Metric::smallest_angle,
-        .field = {.name = "smallest_angle",
-                  .label = "Smallest angle",
-                  .help = "Smallest angle of an element's corners, in degrees, negative where "
-                          "a corner is inverted. 60 is best of a triangle, 90 of a "
-                          "quadrilateral.",
-                  .larger_is_better = true,
-                  .colors = ColorRange::robust_both_sides,
-                  .threshold = 30,
-                  .unit = "degrees"},
-        .of_element = smallest_angle,
-        .reported = true,
-        .best = 90},
-    MetricInfo{.metric = Metric::largest_angle,
-               .field = {.name = "largest_angle",
-                         .label = "Largest angle",
-                         .help = "Largest angle of an element's corners, in degrees, more than 180 "
-                                 "where a corner is inverted. 60 is best of a triangle, 90 of a "
-                                 "quadrilateral.",
-                         .larger_is_better = false,
-                         .colors = ColorRange::from_zero,
-                         .threshold = 120,
-                         .unit = "degrees"},
-               .of_element = largest_angle,
-               .reported = true,
-               .best = 60},
-    MetricInfo{
-        .metric = Metric::skewness,
-        .field = {.name = "skewness",
-                  .label = "Skewness",
-                  .help = "Equiangle skewness: how far the worst angle is from 60 degrees (90 "
-                          "of a quadrilateral), relative to the farthest it can be. 0 is "
-                          "best, 1 degenerate, more is inverted.",
-                  .larger_is_better = false,
-                  .colors = ColorRange::from_zero,
-                  .threshold = 0.5},
-        .of_element = skewness,
-        .reported = true,
-        .best = 0},
-    MetricInfo{.metric = Metric::area,
-               .field = {.name = "area",
-                         .label = "Area",
-                         .help = "Signed area, in squared units of the mesh.",
-                         .larger_is_better = true,
-                         .colors = ColorRange::robust_both_sides,
-                         .threshold = 0,
-                         .has_sign = true,
-                         .unit = "squared units of the mesh"},
-               .of_element = area},
+    MetricInfo(
+        Metric::normalized_jacobian,
+        FieldInfo(
+            "normalized_jacobian", "Normalized Jacobian",
+            "Sine of every corner angle: 0.866 for an equilateral triangle, 1 for a right angle, "
+            "negative where an element is inverted. Larger is better.",
+            Better::larger, ColorRange::zero_to_one, 0.5, {.has_sign = true}),
+        smallest_sine, 1, &Corner::sine),
+    MetricInfo(
+        Metric::aspect_ratio,
+        FieldInfo("aspect_ratio", "Aspect ratio",
+                  "R/2r, circumradius over twice the inradius. 1 is best for a mesh that is not "
+                  "stretched on purpose. Inverted elements are left out.",
+                  Better::smaller, ColorRange::from_one, 1.5, {.judged = false}),
+        aspect_ratio, 1),
+    MetricInfo(Metric::condition_number,
+               FieldInfo("condition_number", "Condition number", condition_help, Better::smaller,
+                         ColorRange::from_one, 1.5, {.judged = false}),
+               condition_number, 1),
+    MetricInfo(
+        Metric::smallest_angle,
+        FieldInfo("smallest_angle", "Smallest angle",
+                  "Smallest angle of an element's corners, in degrees, negative where a corner is "
+                  "inverted. 60 is best of a triangle, 90 of a quadrilateral.",
+                  Better::larger, ColorRange::robust_both_sides, 30, {.unit = "degrees"}),
+        smallest_angle, 90),
+    MetricInfo(
+        Metric::largest_angle,
+        FieldInfo(
+            "largest_angle", "Largest angle",
+            "Largest angle of an element's corners, in degrees, more than 180 where a corner is "
+            "inverted. 60 is best of a triangle, 90 of a quadrilateral.",
+            Better::smaller, ColorRange::from_zero, 120, {.unit = "degrees"}),
+        largest_angle, 60),
+    MetricInfo(
+        Metric::skewness,
+        FieldInfo(
+            "skewness", "Skewness",
+            "Equiangle skewness: how far the worst angle is from 60 degrees (90 of a "
+            "quadrilateral), relative to the farthest it can be. 0 is best, 1 degenerate, more "
+            "is inverted.",
+            Better::smaller, ColorRange::from_zero, 0.5),
+        skewness, 0),
+    MetricInfo(Metric::area,
+               FieldInfo("area", "Area", "Signed area, in squared units of the mesh.",
+                         Better::larger, ColorRange::robust_both_sides, 0,
+                         {.has_sign = true, .unit = "squared units of the mesh"}),
+               area),
 };
 
-/// Those of volume elements, in the order of the enumeration.
+/// In the order of the enumeration.
 constexpr std::array volume_metrics{
-    MetricInfo{.metric = Metric::normalized_jacobian,
-               .field = {.name = "normalized_jacobian",
-                         .label = "Scaled Jacobian",
-                         .help = "Determinant of the edges at every corner over their lengths: 1 "
-                                 "for the regular element, negative where an element is inverted. "
-                                 "Larger is better.",
-                         .larger_is_better = true,
-                         .colors = ColorRange::zero_to_one,
-                         .threshold = 0.2,
-                         .has_sign = true},
-               .of_volume = [](const VolumeElement& e) { return e.scaled_jacobian(); },
-               .reported = true},
-    MetricInfo{.metric = Metric::aspect_ratio,
-               .field = {.name = "aspect_ratio",
-                         .label = "Aspect ratio",
-                         .help = "R/3r, circumradius over three times the inradius. 1 is best for "
-                                 "a mesh that is not stretched on purpose. Inverted elements are "
-                                 "left out.",
-                         .larger_is_better = false,
-                         .colors = ColorRange::from_one,
-                         .threshold = 3,
-                         .judged = false},
-               .of_volume = [](const VolumeElement& e) { return e.radius_ratio(); },
-               .reported = true},
-    MetricInfo{
-        .metric = Metric::condition_number,
-        .field = {.name = "condition_number",
-                  .label = "Condition number",
-                  .help = "Weighted condition number of the corners. 1 is best for a mesh "
-                          "that is not stretched on purpose. Inverted elements are left out.",
-                  .larger_is_better = false,
-                  .colors = ColorRange::from_one,
-                  .threshold = 3,
-                  .judged = false},
-        .of_volume = [](const VolumeElement& e) { return e.condition_number(); },
-        .reported = true},
-    MetricInfo{.metric = Metric::smallest_solid_angle,
-               .field = {.name = "smallest_solid_angle",
-                         .label = "Smallest solid angle",
-                         .help = "Smallest solid angle of an element's corners, in steradians, "
-                                 "negative where a corner is inverted. 0.551 is best of a "
-                                 "tetrahedron, 1.571 of a hexahedron.",
-                         .larger_is_better = true,
-                         .colors = ColorRange::robust_both_sides,
-                         .threshold = 0.1,
-                         .unit = "steradians"},
-               .of_volume = [](const VolumeElement& e) { return e.smallest_solid_angle(); },
-               .reported = true,
-               .best = pi / 2},
-    MetricInfo{.metric = Metric::largest_solid_angle,
-               .field = {.name = "largest_solid_angle",
-                         .label = "Largest solid angle",
-                         .help = "Largest solid angle of an element's corners, in steradians. "
-                                 "0.551 is best of a tetrahedron, 1.571 of a hexahedron.",
-                         .larger_is_better = false,
-                         .colors = ColorRange::from_zero,
-                         .threshold = 2,
-                         .unit = "steradians"},
-               .of_volume = [](const VolumeElement& e) { return e.largest_solid_angle(); },
-               .reported = true,
-               .best = 0.5},
-    MetricInfo{.metric = Metric::volume,
-               .field = {.name = "volume",
-                         .label = "Volume",
-                         .help = "Signed volume, in cubed units of the mesh.",
-                         .larger_is_better = true,
-                         .colors = ColorRange::robust_both_sides,
-                         .threshold = 0,
-                         .has_sign = true,
-                         .unit = "cubed units of the mesh"},
-               .of_volume = [](const VolumeElement& e) { return e.volume(); }},
+    MetricInfo(
+        Metric::normalized_jacobian,
+        FieldInfo("normalized_jacobian", "Scaled Jacobian",
+                  "Determinant of the edges at every corner over their lengths: 1 for the regular "
+                  "element, negative where an element is inverted. Larger is better.",
+                  Better::larger, ColorRange::zero_to_one, 0.2, {.has_sign = true}),
+        &VolumeElement::scaled_jacobian, 1),
+    MetricInfo(
+        Metric::aspect_ratio,
+        FieldInfo(
+            "aspect_ratio", "Aspect ratio",
+            "R/3r, circumradius over three times the inradius. 1 is best for a mesh that is not "
+            "stretched on purpose. Inverted elements are left out.",
+            Better::smaller, ColorRange::from_one, 3, {.judged = false}),
+        &VolumeElement::radius_ratio, 1),
+    MetricInfo(Metric::condition_number,
+               FieldInfo("condition_number", "Condition number", condition_help, Better::smaller,
+                         ColorRange::from_one, 3, {.judged = false}),
+               &VolumeElement::condition_number, 1),
+    MetricInfo(
+        Metric::smallest_solid_angle,
+        FieldInfo("smallest_solid_angle", "Smallest solid angle",
+                  "Smallest solid angle of an element's corners, in steradians, negative where a "
+                  "corner is inverted. 0.551 is best of a tetrahedron, 1.571 of a hexahedron.",
+                  Better::larger, ColorRange::robust_both_sides, 0.1, {.unit = "steradians"}),
+        &VolumeElement::smallest_solid_angle, pi / 2),
+    MetricInfo(
+        Metric::largest_solid_angle,
+        FieldInfo("largest_solid_angle", "Largest solid angle",
+                  "Largest solid angle of an element's corners, in steradians. 0.551 is best of a "
+                  "tetrahedron, 1.571 of a hexahedron.",
+                  Better::smaller, ColorRange::from_zero, 2, {.unit = "steradians"}),
+        &VolumeElement::largest_solid_angle, 0.5),
+    MetricInfo(Metric::volume,
+               FieldInfo("volume", "Volume", "Signed volume, in cubed units of the mesh.",
+                         Better::larger, ColorRange::robust_both_sides, 0,
+                         {.has_sign = true, .unit = "cubed units of the mesh"}),
+               &VolumeElement::volume),
 };
 
-std::span<const MetricInfo> table(int cell_dimension) {
-  if (cell_dimension == 2) return plane_metrics;
-  return volume_metrics;
-}
-
-/// The same of any dimension: for names.
-const MetricInfo& any_info(Metric metric) {
-  for (const int dimension : {2, 3}) {
-    for (const MetricInfo& info : table(dimension)) {
-      if (info.metric == metric) return info;
+/// All metrics of elements of one dimension.
+struct MetricTable {
+  explicit MetricTable(const char* which, std::span<const MetricInfo> infos)
+      : elements(which), rows(infos) {
+    for (const MetricInfo& info : rows) {
+      all.push_back(info.metric);
+      if (info.reported) reported.push_back(info.metric);
     }
   }
-  throw UsageError("a metric that no element has");
+
+  const char* elements;
+  std::span<const MetricInfo> rows;
+  std::vector<Metric> all, reported;
+};
+
+const MetricTable& table(int cell_dimension) {
+  static const std::array tables{MetricTable("plane", plane_metrics),
+                                 MetricTable("volume", volume_metrics)};
+  return tables.at(static_cast<std::size_t>(cell_dimension) - 2);
 }
 
-std::vector<Metric> metrics_of(int cell_dimension, bool reported_only) {
-  std::vector<Metric> list;
-  for (const MetricInfo& info : table(cell_dimension)) {
-    if (info.reported || !reported_only) list.push_back(info.metric);
-  }
-  return list;
+const MetricInfo* find_info(Metric metric, int cell_dimension) {
+  const auto rows = table(cell_dimension).rows;
+  const auto found = std::ranges::find(rows, metric, &MetricInfo::metric);
+  return found == rows.end() ? nullptr : &*found;
+}
+
+/// The row of the lowest dimension that has the metric, for its name.
+const MetricInfo& any_info(Metric metric) {
+  const MetricInfo* plane = find_info(metric, 2);
+  return plane ? *plane : metric_info(metric, 3);
 }
 
 }  // namespace
 
 const MetricInfo& metric_info(Metric metric, int cell_dimension) {
-  for (const MetricInfo& info : table(cell_dimension)) {
-    if (info.metric == metric) return info;
-  }
-  throw UsageError(std::string(cell_dimension == 2 ? "plane" : "volume") +
-                   " elements have no metric '" + std::string(metric_name(metric)) + "'");
+  if (const MetricInfo* info = find_info(metric, cell_dimension)) return *info;
+  throw UsageError(std::string(table(cell_dimension).elements) + " elements have no metric '" +
+                   std::string(metric_name(metric)) + "'");
 }
 
-const std::vector<Metric>& all_metrics(int cell_dimension) {
-  static const std::array lists{metrics_of(2, false), metrics_of(3, false)};
-  return lists[cell_dimension == 2 ? 0 : 1];
-}
+const std::vector<Metric>& all_metrics(int cell_dimension) { return table(cell_dimension).all; }
 
 const std::vector<Metric>& reported_metrics(int cell_dimension) {
-  static const std::array lists{metrics_of(2, true), metrics_of(3, true)};
-  return lists[cell_dimension == 2 ? 0 : 1];
+  return table(cell_dimension).reported;
 }
 
 std::string_view metric_name(Metric metric) { return any_info(metric).field.name; }
 std::string_view metric_label(Metric metric) { return any_info(metric).field.label; }
 
 Metric parse_metric(std::string_view name, int cell_dimension) {
-  std::string known;
-  for (const Metric metric : all_metrics(cell_dimension)) {
-    if (metric_name(metric) == name) return metric;
-    known += (known.empty() ? "" : ", ") + std::string(metric_name(metric));
-  }
-  throw UsageError("unknown metric '" + std::string(name) + "', expected one of: " + known);
+  const auto& all = all_metrics(cell_dimension);
+  const auto found = std::ranges::find(all, name, metric_name);
+  if (found != all.end()) return *found;
+  throw UsageError("unknown metric '" + std::string(name) +
+                   "', expected one of: " + listed(all, metric_name));
 }
 
 }  // namespace winslow

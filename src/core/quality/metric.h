@@ -1,19 +1,92 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
-#include "core/quality/corner.h"
 #include "core/quality/volume_element.h"
 
-/// What there is to measure, by name:
+/// The metrics by their names:
 ///
 ///     const winslow::Metric metric = winslow::parse_metric("aspect_ratio");
 ///     std::puts(std::string(winslow::metric_info(metric).field.help).c_str());
 ///
-/// What can be measured of elements, as a table: reports, tables, lists of the worst elements,
-/// colours, isolated elements and the reference page are read off it. TO ADD A METRIC, add an
-/// enumerator and a row in metric.cpp.
+/// All metrics of elements, as a table. Reports, lists of the worst elements, colours, isolated
+/// elements and the reference page read it. TO ADD A METRIC, add an enumerator and a row in
+/// metric.cpp.
 namespace winslow {
+
+/// Whether an element of a surface mesh is turned over: its area vector and its reference normal
+/// include more than 120 degrees. On a finely meshed surface the angle is near 0 or near 180
+/// degrees. The limit is above 90 degrees since at a sharp tip a valid element may be perpendicular
+/// to the mean of the normals at its nodes.
+inline bool is_turned_over(const Vec3& area, const Vec3& normal) {
+  constexpr double farthest = -0.5;  // cosine
+  return area.dot(normal) < farthest * area.norm();
+}
+
+/// A corner of an element: the triangle of the corner and its two neighbours in the element.
+struct Corner {
+  double l1 = 0, l2 = 0, l3 = 0;  ///< edges at the corner (next, previous), and the one across
+  double area2 = 0;               ///< twice the signed area
+  double dot = 0;                 ///< scalar product of the two edges at the corner
+
+  Corner() = default;
+  Corner(const Vec2& p, const Vec2& next, const Vec2& previous) {
+    const Vec2 a = next - p, b = previous - p;
+    set_lengths(a, b, next, previous);
+    area2 = cross(a, b);
+  }
+
+  /// Of an element of a surface mesh, in its own plane. normal: the reference normal; the area is
+  /// negative if the corner is turned over.
+  Corner(const Vec3& p, const Vec3& next, const Vec3& previous, const Vec3& normal) {
+    const Vec3 a = next - p, b = previous - p;
+    set_lengths(a, b, next, previous);
+    const Vec3 area = a.cross(b);
+    area2 = is_turned_over(area, normal) ? -area.norm() : area.norm();
+  }
+
+  bool inverted() const { return !(area2 > 0); }
+  double sine() const { return l1 > 0 && l2 > 0 ? area2 / (l1 * l2) : 0; }
+  /// From the next edge counter-clockwise to the previous one, degrees in (-180, 180]: negative if
+  /// the corner is inverted.
+  double angle() const { return degrees(std::atan2(area2, dot)); }
+  /// R/(2r): 1 for the equilateral triangle.
+  double radius_ratio() const {
+    return inverted() ? std::numeric_limits<double>::infinity()
+                      : l1 * l2 * l3 * (l1 + l2 + l3) / (4 * area2 * area2);
+  }
+  /// Condition weighted to the equilateral triangle.
+  double triangle_condition() const {
+    return inverted() ? std::numeric_limits<double>::infinity()
+                      : (l1 * l1 + l2 * l2 + l3 * l3) / (2 * std::sqrt(3.0) * area2);
+  }
+  /// Condition relative to a square's corner.
+  double square_condition() const {
+    return inverted() ? std::numeric_limits<double>::infinity() : (l1 * l1 + l2 * l2) / (2 * area2);
+  }
+
+ private:
+  template <class Point>
+  void set_lengths(const Point& a, const Point& b, const Point& next, const Point& previous) {
+    l1 = a.norm();
+    l2 = b.norm();
+    l3 = (next - previous).norm();
+    dot = a.dot(b);
+  }
+};
+
+inline Corner corner_of(const Coordinates& x, std::span<const Index> element, std::size_t k) {
+  const std::size_t n = element.size();
+  return {x.xy(element[k]), x.xy(element[(k + 1) % n]), x.xy(element[(k + n - 1) % n])};
+}
+
+/// The same of a surface mesh.
+inline Corner corner_of(const Points<3>& x, std::span<const Index> element, std::size_t k,
+                        const Vec3& normal) {
+  const std::size_t n = element.size();
+  return {x[element[k]], x[element[(k + 1) % n]], x[element[(k + n - 1) % n]], normal};
+}
 
 /// Element metrics. Definitions (a corner is the triangle of a corner and its two neighbours in the
 /// element: the element itself for a triangle; l1, l2, l3 its edges, A its signed area):
@@ -25,10 +98,9 @@ namespace winslow {
 ///   (1+sqrt(2))/2 of a square's corner. 1 is best.
 /// - condition_number: (l1^2+l2^2+l3^2)/(4 sqrt(3) A) of a triangle, weighted to the equilateral;
 ///   of a quadrilateral the largest (l1^2+l2^2)/(4A) over its corners, as in Verdict. 1 is best.
-/// - smallest_angle, largest_angle: of the corners, in degrees. An inverted corner of angle -a
-/// counts
-///   as -a in the smallest and as the reflex angle 360 - a in the largest, so that neither hides
-///   it. (Verdict, C. J. Stimpson et al., SAND2007-1751: minimum and maximum included angle.)
+/// - smallest_angle, largest_angle: of the corners, in degrees. The angle of an inverted corner is
+///   negative, -a, in the smallest angle and the reflex angle 360 - a in the largest. (Verdict, C.
+///   J. Stimpson et al., SAND2007-1751: minimum and maximum included angle.)
 /// - skewness: with these two, max((largest - ideal) / (180 - ideal), (ideal - smallest) / ideal),
 ///   ideal = 60 of a triangle, 90 of a quadrilateral. 0 is best, 1 degenerate, more than 1
 ///   inverted. (ANSYS Fluent User's Guide, "normalized equiangular skewness"; VTK: equiangle skew.)
@@ -64,8 +136,8 @@ enum class Metric {
   volume
 };
 
-/// Between which values a field is shown in colours. The "robust" largest value leaves out the
-/// worst half percent, so that a single sliver does not wash out the rest.
+/// The range of values that the colours of a field cover. The robust largest value leaves out the
+/// worst half percent, so that a single sliver does not determine the range.
 enum class ColorRange {
   zero_to_one,
   up_to_one,          ///< from the robust smallest value, at most 0, to 1
@@ -76,47 +148,79 @@ enum class ColorRange {
   counts              ///< from 1 to the largest value, at least 2
 };
 
-/// What there is to know of a number that each element has.
-struct FieldInfo {
+enum class Better { larger, smaller };
+
+/// Properties that few fields have.
+struct FieldTraits {
+  bool has_sign = false;       ///< diverging colours have their middle at zero
+  bool one_is_best = false;    ///< a ratio; diverging colours have their middle at 1
+  bool judged = true;          ///< false for measures of stretching, which is wanted at walls: a
+                               ///< change is neither better nor worse
+  std::string_view unit = {};  ///< "degrees"; empty: a pure number
+};
+
+/// Name and properties of a field, which has a number for each element.
+struct FieldInfo : FieldTraits {
+  constexpr FieldInfo(std::string_view n, std::string_view l, std::string_view h, Better better,
+                      ColorRange c, double t, FieldTraits traits = {})
+      : FieldTraits(traits),
+        name(n),
+        label(l),
+        help(h),
+        larger_is_better(better == Better::larger),
+        colors(c),
+        threshold(t) {}
+
   std::string_view name;   ///< in files and options: "normalized_jacobian"
   std::string_view label;  ///< on screen: "Normalized Jacobian"
   std::string_view help;   ///< what it is, in whole sentences
   bool larger_is_better;
   ColorRange colors;
-  double threshold;       ///< beyond which elements are isolated unless the user says otherwise
-  bool has_sign = false;  ///< diverging colours have their middle at zero
-  /// Of a ratio: 1 is best, whichever way it is off; diverging colours have their middle there.
-  bool one_is_best = false;
-  /// A change is shown as better or worse. Not of measures of stretching: the cells at a wall are
-  /// stretched on purpose, and a mesh that has lost that is not better.
-  bool judged = true;
-  std::string_view unit = {};  ///< "degrees"; empty: a pure number
+  double threshold;  ///< beyond it elements are isolated unless the user says otherwise
 };
 
+/// A metric of plane elements or of volume elements.
 struct MetricInfo {
+  using OfElement = double (*)(std::span<const Corner> corners);
+  using OfVolume = double (VolumeElement::*)() const;
+  using OfCorner = double (Corner::*)() const;
+
+  /// best: if given, the metric is reported.
+  constexpr MetricInfo(Metric m, const FieldInfo& f, OfElement of, std::optional<double> b = {},
+                       OfCorner corner = nullptr)
+      : metric(m),
+        field(f),
+        of_element(of),
+        of_corner(corner),
+        reported(b.has_value()),
+        best(b.value_or(1)) {}
+  constexpr MetricInfo(Metric m, const FieldInfo& f, OfVolume of, std::optional<double> b = {})
+      : metric(m), field(f), of_volume(of), reported(b.has_value()), best(b.value_or(1)) {}
+
   Metric metric;
   FieldInfo field;
-  /// Of a plane element with these corners, in the order of its nodes.
-  double (*of_element)(std::span<const Corner> corners) = nullptr;
-  /// Of a volume element. One of the two is there.
-  double (*of_volume)(const VolumeElement& element) = nullptr;
-  /// In reports, with statistics, histograms and the worst elements.
-  bool reported = false;
-  double best = 1;  ///< end of the histogram
-  /// Statistics run over this value of all corners of all elements; null: over the finite values of
-  /// the elements.
-  double (*of_corner)(const Corner& corner) = nullptr;
+  OfElement of_element = nullptr;  ///< of the corners of a plane element, in the order of its nodes
+  OfVolume of_volume = nullptr;    ///< a metric has one of the two
+  /// Statistics are of this value of all corners of all elements; null: of the finite values of the
+  /// elements.
+  OfCorner of_corner = nullptr;
+  bool reported;  ///< in reports, with statistics, histograms and the worst elements
+  double best;    ///< end of the histogram
+
+  double of(std::span<const Corner> corners) const { return of_element(corners); }
+  double of(const VolumeElement& element) const { return (element.*of_volume)(); }
 };
 
 /// cell_dimension: 2 of plane meshes, 3 of volume meshes. Throws UsageError for a metric that
 /// elements of that dimension do not have.
 const MetricInfo& metric_info(Metric metric, int cell_dimension = 2);
-/// All that elements of that dimension have, and those of them that are reported.
+/// All metrics of elements of that dimension, and those of them that are reported.
 const std::vector<Metric>& all_metrics(int cell_dimension = 2);
 const std::vector<Metric>& reported_metrics(int cell_dimension = 2);
 std::string_view metric_name(Metric metric);   ///< "normalized_jacobian", as in files and options
 std::string_view metric_label(Metric metric);  ///< "Normalized Jacobian", as on screen
-/// By metric_name. Throws UsageError listing the names that elements of that dimension have.
+/// The metric with a metric_name(). Throws UsageError listing the names of metrics of that
+/// dimension.
 Metric parse_metric(std::string_view name, int cell_dimension = 2);
 
 }  // namespace winslow

@@ -5,7 +5,6 @@
 #include "core/error.h"
 #include "core/geometry/element_normals.h"
 #include "core/parallel/parallel_for.h"
-#include "core/quality/corner.h"
 #include "core/quality/corner_kernel.h"
 
 namespace winslow {
@@ -23,7 +22,11 @@ class ElementCorners {
     for (std::size_t k = 0; k < count_; ++k) corners_[k] = corner_of(x, element, k, normal);
   }
   std::span<const Corner> span() const { return {corners_.data(), count_}; }
-  /// Each counts: for a flat triangle round-off may disagree on the sign of its one area.
+  operator std::span<const Corner>() const {
+    return span();
+  }  // NOLINT(google-explicit-constructor)
+  /// Whether any corner is inverted. Round-off may give the corners of a flat triangle different
+  /// signs.
   bool inverted() const {
     return std::ranges::any_of(span(), [](const Corner& corner) { return corner.inverted(); });
   }
@@ -34,23 +37,85 @@ class ElementCorners {
 };
 
 /// Of a plane mesh or a surface mesh. normals: reference normals; empty: there are none.
-ElementCorners corners_of(const Mesh& mesh, std::span<const Vec3> normals, Index e) {
-  const auto element = mesh.topology->element(e);
-  if (!is_surface(*mesh.topology)) return {mesh.coordinates, element};
-  const SpacePoints x(mesh.coordinates);
-  return {x, element, normals.empty() ? area_vector(x, element) : normals[at(e)]};
+ElementCorners corners_of(const Topology& topology, const Coordinates& x,
+                          std::span<const Vec3> normals, Index e) {
+  const auto element = topology.element(e);
+  if (!is_surface(topology)) return {x, element};
+  const SpacePoints points(x);
+  return {points, element, normals.empty() ? doubled_area_vector(points, element) : normals[at(e)]};
 }
 
-VolumeElement volume_element(const Mesh& mesh, Index e) {
-  return {mesh.coordinates, mesh.topology->element_type(e), mesh.topology->element(e)};
+/// Calls use(element) with the ElementCorners or the VolumeElement of an element.
+template <class Use>
+auto with_element(const Mesh& mesh, std::span<const Vec3> normals, Index e, const Use& use) {
+  const Topology& topology = *mesh.topology;
+  if (topology.kind() != MeshKind::volume)
+    return use(corners_of(topology, mesh.coordinates, normals, e));
+  return use(VolumeElement(mesh.coordinates, topology.element_type(e), topology.element(e)));
 }
 
-double value_of(const Mesh& mesh, std::span<const Vec3> normals, Index e, Metric metric) {
-  const int dimension = mesh.topology->cell_dimension();
-  const MetricInfo& info = metric_info(metric, dimension);
-  if (dimension == 3) return info.of_volume(volume_element(mesh, e));
-  return info.of_element(corners_of(mesh, normals, e).span());
+std::span<const Corner> corners_in(const ElementCorners& element) { return element.span(); }
+std::span<const Corner> corners_in(const VolumeElement&) { return {}; }
+
+Histogram histogram_of(std::span<const double> values, double low, double high, int bins) {
+  Histogram h{low, high, std::vector<Index>(static_cast<std::size_t>(std::max(1, bins)), 0)};
+  const auto last = static_cast<double>(h.counts.size() - 1);
+  for (const double v : values) {
+    const double t = high > low ? (v - low) / (high - low) : 0;
+    const double bin = std::clamp(std::floor(t * static_cast<double>(h.counts.size())), 0.0, last);
+    ++h.counts[static_cast<std::size_t>(bin)];
+  }
+  return h;
 }
+
+/// Values of the reported metrics, in their order.
+struct Values {
+  Values(const Mesh& mesh, std::span<const Vec3> normals, int threads);
+
+  std::vector<std::vector<double>> of_elements;  ///< #elements each
+  std::vector<std::vector<double>> of_corners;   ///< #corners each; empty where there are none
+  std::vector<char> inverted;                    ///< #elements
+};
+
+Values::Values(const Mesh& mesh, std::span<const Vec3> normals, int threads) {
+  const Topology& topology = *mesh.topology;
+  std::vector<const MetricInfo*> infos;
+  const auto elements = at(topology.element_count());
+  for (const Metric metric : reported_metrics(topology.cell_dimension())) {
+    infos.push_back(&metric_info(metric, topology.cell_dimension()));
+    of_elements.emplace_back(elements);
+    of_corners.emplace_back(infos.back()->of_corner ? topology.elements().values.size() : 0);
+  }
+  inverted.resize(elements);
+  parallel_for(threads, topology.element_count(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e) {
+      const auto first = at(topology.elements().offsets[at(e)]);
+      with_element(mesh, normals, e, [&](const auto& element) {
+        inverted[at(e)] = element.inverted();
+        const auto corners = corners_in(element);
+        for (std::size_t m = 0; m < infos.size(); ++m) {
+          of_elements[m][at(e)] = infos[m]->of(element);
+          if (!infos[m]->of_corner) continue;
+          for (std::size_t k = 0; k < corners.size(); ++k)
+            of_corners[m][first + k] = (corners[k].*infos[m]->of_corner)();
+        }
+      });
+    }
+  });
+}
+
+/// Removes the values of elements that no smoothing can change, and counts these elements.
+void set_fixed_apart(const Topology& topology, Values& values, QualityReport& report) {
+  for (Index e = 0; e < topology.element_count(); ++e) {
+    if (!all_on_boundary(topology, e)) continue;
+    ++report.all_on_boundary;
+    if (values.inverted[at(e)]) ++report.all_on_boundary_inverted;
+    for (auto& of_metric : values.of_elements)
+      of_metric[at(e)] = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+}  // namespace
 
 Statistics statistics_of(std::span<const double> values) {
   Statistics s;
@@ -66,86 +131,6 @@ Statistics statistics_of(std::span<const double> values) {
   return s;
 }
 
-Histogram histogram_of(std::span<const double> values, double low, double high, int bins) {
-  Histogram h{low, high, std::vector<Index>(static_cast<std::size_t>(std::max(1, bins)), 0)};
-  const auto last = static_cast<double>(h.counts.size() - 1);
-  for (const double v : values) {
-    const double t = high > low ? (v - low) / (high - low) : 0;
-    const double bin = std::clamp(std::floor(t * static_cast<double>(h.counts.size())), 0.0, last);
-    ++h.counts[static_cast<std::size_t>(bin)];
-  }
-  return h;
-}
-
-std::vector<double> finite(std::span<const double> values) {
-  std::vector<double> list;
-  for (const double v : values) {
-    if (std::isfinite(v)) list.push_back(v);
-  }
-  return list;
-}
-
-/// Values of the reported metrics, in their order.
-struct Values {
-  Values(const Mesh& mesh, std::span<const Vec3> normals, int threads);
-
-  std::vector<std::vector<double>> of_elements;  ///< #elements each
-  std::vector<std::vector<double>> of_corners;   ///< #corners each; empty where there are none
-  std::vector<char> inverted;                    ///< #elements
-};
-
-Values::Values(const Mesh& mesh, std::span<const Vec3> normals, int threads) {
-  const Topology& topology = *mesh.topology;
-  const int dimension = topology.cell_dimension();
-  const auto& reported = reported_metrics(dimension);
-  const auto elements = at(topology.element_count());
-  inverted.resize(elements);
-  of_corners.resize(reported.size());
-  of_elements.assign(reported.size(), std::vector<double>(elements));
-  for (std::size_t m = 0; m < reported.size(); ++m) {
-    if (metric_info(reported[m], dimension).of_corner)
-      of_corners[m].resize(topology.elements().values.size());
-  }
-  if (dimension == 3) {
-    parallel_for(threads, topology.element_count(), [&](Index begin, Index end) {
-      for (Index e = begin; e < end; ++e) {
-        const VolumeElement element = volume_element(mesh, e);
-        inverted[at(e)] = element.inverted();
-        for (std::size_t m = 0; m < reported.size(); ++m)
-          of_elements[m][at(e)] = metric_info(reported[m], 3).of_volume(element);
-      }
-    });
-    return;
-  }
-  parallel_for(threads, topology.element_count(), [&](Index begin, Index end) {
-    for (Index e = begin; e < end; ++e) {
-      const ElementCorners corners = corners_of(mesh, normals, e);
-      inverted[at(e)] = corners.inverted();
-      const auto first = at(topology.elements().offsets[at(e)]);
-      for (std::size_t m = 0; m < reported.size(); ++m) {
-        const MetricInfo& info = metric_info(reported[m]);
-        of_elements[m][at(e)] = info.of_element(corners.span());
-        if (!info.of_corner) continue;
-        for (std::size_t k = 0; k < corners.span().size(); ++k)
-          of_corners[m][first + k] = info.of_corner(corners.span()[k]);
-      }
-    }
-  });
-}
-
-/// Takes the elements that no smoothing can change out of what is measured, and counts them.
-void set_fixed_apart(const Topology& topology, Values& values, QualityReport& report) {
-  for (Index e = 0; e < topology.element_count(); ++e) {
-    if (!all_on_boundary(topology, e)) continue;
-    ++report.all_on_boundary;
-    if (values.inverted[at(e)]) ++report.all_on_boundary_inverted;
-    for (auto& of_metric : values.of_elements)
-      of_metric[at(e)] = std::numeric_limits<double>::quiet_NaN();
-  }
-}
-
-}  // namespace
-
 bool all_on_boundary(const Topology& topology, Index e) {
   return std::ranges::all_of(topology.element(e),
                              [&](Index node) { return topology.on_boundary(node); });
@@ -153,12 +138,11 @@ bool all_on_boundary(const Topology& topology, Index e) {
 
 const QualityReport::PerMetric& QualityReport::of(Metric metric) const& {
   const auto& reported = reported_metrics(cell_dimension);
-  const auto found = std::find(reported.begin(), reported.end(), metric);
-  if (found == reported.end()) {
+  const std::size_t m = index_of(reported, metric);
+  if (m == reported.size())
     throw UsageError("the quality report has no statistics of the " +
                      std::string(metric_name(metric)));
-  }
-  return metrics[static_cast<std::size_t>(found - reported.begin())];
+  return metrics[m];
 }
 
 QualityReport::PerMetric QualityReport::of(Metric metric) && {
@@ -170,7 +154,7 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
   QualityReport report;
   report.cell_dimension = mesh.topology->cell_dimension();
   report.space_dimension = mesh.topology->space_dimension();
-  if (report.cell_dimension == 3) set_fixed_apart(*mesh.topology, values, report);
+  if (mesh.topology->kind() == MeshKind::volume) set_fixed_apart(*mesh.topology, values, report);
   report.elements = mesh.topology->element_count();
   constexpr std::size_t listed = 100;
   for (Index e = 0; e < report.elements; ++e) {
@@ -184,7 +168,8 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
     auto& part = report.metrics.emplace_back();
     const auto& all = values.of_elements[m];
     part.worst = worst_elements(mesh, all, info.field, options.worst);
-    const auto counted = info.of_corner ? values.of_corners[m] : finite(all);
+    std::vector<double> counted = info.of_corner ? values.of_corners[m] : all;
+    if (!info.of_corner) std::erase_if(counted, [](double v) { return !std::isfinite(v); });
     part.statistics = statistics_of(counted);
     const double low = info.field.larger_is_better ? std::min(0.0, part.statistics.min) : info.best;
     const double high = info.field.larger_is_better ? info.best : part.statistics.max;
@@ -201,11 +186,16 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
   return report;
 }
 
+double element_value(const Mesh& mesh, Index e, Metric metric, std::span<const Vec3> normals) {
+  const MetricInfo& info = metric_info(metric, mesh.topology->cell_dimension());
+  return with_element(mesh, normals, e, [&](const auto& element) { return info.of(element); });
+}
+
 std::vector<double> element_values(const Mesh& mesh, Metric metric, std::span<const Vec3> normals) {
   std::vector<double> values(at(mesh.topology->element_count()));
   parallel_for(0, mesh.topology->element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
-      values[at(e)] = value_of(mesh, normals, e, metric);
+      values[at(e)] = element_value(mesh, e, metric, normals);
     }
   });
   return values;
@@ -219,19 +209,14 @@ Index worst_element(const Mesh& mesh, Metric metric) {
   return static_cast<Index>(worst - values.begin());
 }
 
-double element_value(const Mesh& mesh, Index element, Metric metric,
-                     std::span<const Vec3> normals) {
-  return value_of(mesh, normals, element, metric);
-}
-
 namespace {
 
-/// add(element, validity so far): of all elements together.
-template <typename Add>
-Validity check_elements(Index n, int threads, const Add& add) {
+/// Of all elements together. of_block(begin, end): of the elements of a block.
+template <typename OfBlock>
+Validity check_blocks(Index n, int threads, const OfBlock& of_block) {
   std::vector<Validity> blocks(at((n + parallel_block - 1) / parallel_block), Validity{0, 1.0});
   parallel_for(threads, n, [&](Index begin, Index end) {
-    for (Index e = begin; e < end; ++e) add(e, blocks[at(begin / parallel_block)]);
+    blocks[at(begin / parallel_block)] = of_block(begin, end);
   });
   Validity total{0, 1.0};
   for (const Validity& v : blocks) {
@@ -239,6 +224,16 @@ Validity check_elements(Index n, int threads, const Add& add) {
     total.min_sine = std::min(total.min_sine, v.min_sine);
   }
   return total;
+}
+
+/// The same; add(element, sum) adds one element.
+template <typename Add>
+Validity check_elements(Index n, int threads, const Add& add) {
+  return check_blocks(n, threads, [&](Index begin, Index end) {
+    Validity sum{0, 1.0};
+    for (Index e = begin; e < end; ++e) add(e, sum);
+    return sum;
+  });
 }
 
 Validity check_volume(const Topology& topology, const Coordinates& coordinates, int threads) {
@@ -252,14 +247,22 @@ Validity check_volume(const Topology& topology, const Coordinates& coordinates, 
 
 Validity check_surface(const Topology& topology, const Coordinates& coordinates,
                        std::span<const Vec3> normals, int threads) {
-  const SpacePoints x(coordinates);
   return check_elements(topology.element_count(), threads, [&](Index e, Validity& sum) {
-    const auto element = topology.element(e);
-    const ElementCorners corners(x, element,
-                                 normals.empty() ? area_vector(x, element) : normals[at(e)]);
+    const ElementCorners corners = corners_of(topology, coordinates, normals, e);
     sum.inverted += corners.inverted() ? 1 : 0;
     for (const Corner& corner : corners.span())
       sum.min_sine = std::min(sum.min_sine, corner.sine());
+  });
+}
+
+Validity check_plane(const Topology& topology, const Coordinates& coordinates, int threads) {
+  const CornerData data{coordinates.values().data(), topology.elements().offsets.data(),
+                        topology.elements().values.data()};
+  const CornerKernel avx2 = avx2_corner_kernel();
+  const CornerKernel summarise = avx2 ? avx2 : portable_corner_kernel();
+  return check_blocks(topology.element_count(), threads, [&](Index begin, Index end) {
+    const CornerSummary block = summarise(data, begin, end);
+    return Validity{block.inverted, block.min_sine};
   });
 }
 
@@ -268,28 +271,20 @@ Validity check_surface(const Topology& topology, const Coordinates& coordinates,
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads,
                         std::span<const Vec3> normals) {
   coordinates.require_dimension(topology.space_dimension());
-  if (topology.cell_dimension() == 3) return check_volume(topology, coordinates, threads);
-  if (is_surface(topology)) return check_surface(topology, coordinates, normals, threads);
-  const CornerData data{coordinates.values().data(), topology.elements().offsets.data(),
-                        topology.elements().values.data()};
-  const CornerKernel avx2 = avx2_corner_kernel();
-  const CornerKernel summarise = avx2 ? avx2 : portable_corner_kernel();
-  const Index n = topology.element_count();
-  std::vector<CornerSummary> blocks(at((n + parallel_block - 1) / parallel_block));
-  parallel_for(threads, n, [&](Index begin, Index end) {
-    blocks[at(begin / parallel_block)] = summarise(data, begin, end);
-  });
-  Validity total{0, 1.0};
-  for (const CornerSummary& v : blocks) {
-    total.inverted += v.inverted;
-    total.min_sine = std::min(total.min_sine, v.min_sine);
+  switch (topology.kind()) {
+    case MeshKind::volume:
+      return check_volume(topology, coordinates, threads);
+    case MeshKind::surface:
+      return check_surface(topology, coordinates, normals, threads);
+    case MeshKind::plane:
+      break;
   }
-  return total;
+  return check_plane(topology, coordinates, threads);
 }
 
 namespace {
 
-/// The larger, the worse.
+/// Larger for worse values.
 double badness(const FieldInfo& field, double value) {
   if (field.one_is_best) return std::abs(std::log(value));
   return field.larger_is_better ? -value : value;
@@ -300,14 +295,7 @@ double badness(const FieldInfo& field, double value) {
 Vec3 element_centre(const Mesh& mesh, Index element) {
   Vec3 sum(0, 0, 0);
   const auto nodes = mesh.topology->element(element);
-  const bool plane = mesh.coordinates.dimension() == 2;
-  for (const Index node : nodes) {
-    if (plane) {
-      sum.head<2>() += mesh.coordinates.xy(node);
-    } else {
-      sum += mesh.coordinates.xyz(node);
-    }
-  }
+  for (const Index node : nodes) sum += place_of(mesh.coordinates, node);
   return sum / static_cast<double>(nodes.size());
 }
 

@@ -3,9 +3,9 @@
 #include "core/mesh/mesh.h"
 #include "core/quality/metric.h"
 #include "core/quality/validity.h"
-#include "core/quality/wall_field.h"
+#include "core/quality/wall_measures.h"
 
-/// Where to look first:
+/// The worst elements:
 ///
 ///     const auto values = winslow::element_values(mesh, winslow::Metric::aspect_ratio);
 ///     const auto& field = winslow::metric_info(winslow::Metric::aspect_ratio).field;
@@ -19,12 +19,11 @@ struct WorstElement {
   Vec3 centre;  ///< z is 0 in the plane
 };
 
-/// Mean of an element's corners, in units of the mesh: tells a user where to look. z is 0 in the
-/// plane.
+/// Mean of the corners of an element, in units of the mesh. z is 0 in the plane.
 Vec3 element_centre(const Mesh& mesh, Index element);
 
-/// The elements that a field finds worst, worst first, ties by index, no more than `count`; those
-/// without a value (NaN) are left out. values: #elements.
+/// At most `count` elements with the worst values of a field, worst first, equal values by index.
+/// Elements without a value (NaN) are left out. values: #elements.
 std::vector<WorstElement> worst_elements(const Mesh& mesh, std::span<const double> values,
                                          const FieldInfo& field, int count);
 
@@ -35,13 +34,15 @@ std::vector<WorstElement> worst_elements(const Mesh& mesh, std::span<const doubl
 ///     std::printf("%d inverted, smallest sine %.3f\n", report.inverted, sine.statistics.min);
 ///     const auto values = winslow::element_values(mesh, winslow::Metric::normalized_jacobian);
 
-/// Metrics of plane, surface and volume meshes. Those of a surface mesh are those of the plane,
-/// each corner measured in its own plane; the sign is that of the reference normal of its element
-/// (ElementNormals) where such are given, else the element's own: then a triangle is never
-/// inverted, a quadrilateral if it is folded or not convex.
+/// The metrics of a surface mesh are those of the plane, with each corner in its own plane. The
+/// sign of a corner is that of the reference normal of its element (ElementNormals). Without
+/// reference normals it is that of the element's own area vector: then a triangle is never
+/// inverted, and a quadrilateral is inverted if it is folded or not convex.
 struct Statistics {
   double min = 0, avg = 0, max = 0;
 };
+/// All 0 for no values.
+Statistics statistics_of(std::span<const double> values);
 
 struct Histogram {
   double low = 0, high = 1;
@@ -71,8 +72,8 @@ struct QualityReport {
     std::vector<WorstElement> worst;
   };
   std::vector<PerMetric> metrics;  ///< of reported_metrics(cell_dimension), in their order
-  /// Elements of a volume mesh whose nodes all lie on the boundary: no smoothing can change them.
-  /// They are counted above, too, but have no part in the statistics, histograms and lists.
+  /// Elements of a volume mesh with all nodes on the boundary, which no smoothing can change. They
+  /// are counted above, too, but are not in the statistics, histograms and lists.
   Index all_on_boundary = 0, all_on_boundary_inverted = 0;
   WallReport walls;                                       ///< of plane meshes
   std::vector<std::vector<WorstElement>> worst_at_walls;  ///< of all_wall_fields(), in their order
@@ -81,7 +82,7 @@ struct QualityReport {
   bool has_walls() const { return space_dimension == 2; }
   /// Throws UsageError for a metric that is not reported.
   const PerMetric& of(Metric metric) const&;
-  PerMetric of(Metric metric) &&;  ///< a copy: the report is about to go
+  PerMetric of(Metric metric) &&;  ///< a copy, since the report is a temporary
   const std::vector<WorstElement>& worst_by(WallField field) const {
     return worst_at_walls[static_cast<std::size_t>(field)];
   }
@@ -95,14 +96,14 @@ bool all_on_boundary(const Topology& topology, Index e);
 /// Value of a metric for each element (#elements). normals: as in QualityOptions.
 std::vector<double> element_values(const Mesh& mesh, Metric metric,
                                    std::span<const Vec3> normals = {});
-/// The element that is worst by a metric; the first of several. mesh: plane, with elements.
+/// The element with the worst value of a metric, the first of several. mesh: with elements.
 Index worst_element(const Mesh& mesh, Metric metric);
 /// The value of one element. normals: as in QualityOptions.
 double element_value(const Mesh& mesh, Index element, Metric metric,
                      std::span<const Vec3> normals = {});
 
-/// Cheaper than a report. threads: 0 for all cores; the result does not depend on it.
-/// normals: of a surface mesh, as in QualityOptions.
+/// Counts inverted elements; much faster than a report. threads: 0 for all cores; the result does
+/// not depend on it. normals: of a surface mesh, as in QualityOptions.
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads = 0,
                         std::span<const Vec3> normals = {});
 

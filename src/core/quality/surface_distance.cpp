@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 
-#include "core/error.h"
 #include "core/geometry/surface/triangulation.h"
 #include "core/parallel/parallel_for.h"
 
@@ -10,7 +9,7 @@ namespace winslow {
 
 namespace {
 
-/// To the triangle: to its plane where the foot lies within, else to the nearest edge.
+/// Distance from a triangle: from its plane if the foot lies inside, else from the nearest edge.
 double distance(const Vec3& p, const std::array<Vec3, 3>& t) {
   const Vec3 area = (t[1] - t[0]).cross(t[2] - t[0]);
   const double size2 = area.squaredNorm();
@@ -24,7 +23,7 @@ double distance(const Vec3& p, const std::array<Vec3, 3>& t) {
   return least;
 }
 
-/// value(i) of each of n places.
+/// value(i) for each i < n.
 template <typename Value>
 std::vector<double> values_of(Index n, int threads, const Value& value) {
   constexpr Index block = 512;
@@ -36,12 +35,11 @@ std::vector<double> values_of(Index n, int threads, const Value& value) {
   return values;
 }
 
-/// The largest distance of the middles of an element's triangles.
+/// The largest distance of the centres of the triangles of an element.
 double middle_distance(const SpacePoints& x, std::span<const Index> nodes,
                        const SurfaceDistance& from) {
-  if (nodes.size() == 3) return from.to((x[nodes[0]] + x[nodes[1]] + x[nodes[2]]) / 3);
   double largest = 0;
-  for (const auto& [a, b, c] : halves_of(x, nodes))
+  for (const auto& [a, b, c] : triangles_of(x, nodes))
     largest = std::max(largest, from.to((x[nodes[a]] + x[nodes[b]] + x[nodes[c]]) / 3));
   return largest;
 }
@@ -49,36 +47,29 @@ double middle_distance(const SpacePoints& x, std::span<const Index> nodes,
 }  // namespace
 
 SurfaceDistance::SurfaceDistance(const Mesh& mesh) {
-  if (!is_surface(*mesh.topology))
-    throw UsageError("deviation: only for a surface mesh, and this is a " +
-                     std::string(mesh_kind(*mesh.topology)));
+  require_kind(*mesh.topology, MeshKind::surface, "deviation");
   const SpacePoints x(mesh.coordinates);
   std::vector<Box<3>> boxes;
   boxes.reserve(at(mesh.topology->element_count()));
   triangles_.reserve(boxes.capacity());
   const auto add = [&](const Triangle& triangle) {
     triangles_.push_back(triangle);
-    Box<3> box = Box<3>::empty();
-    for (const Vec3& corner : triangle) box.add(corner);
-    boxes.push_back(box);
-    around_.add(box);
+    boxes.push_back(Box<3>::around(triangle));
+    around_.add(boxes.back());
   };
   for (Index e = 0; e < mesh.topology->element_count(); ++e) {
     const auto nodes = mesh.topology->element(e);
-    if (nodes.size() == 3) {
-      add({x[nodes[0]], x[nodes[1]], x[nodes[2]]});
-      continue;
-    }
-    for (const auto& [a, b, c] : halves_of(x, nodes)) add({x[nodes[a]], x[nodes[b]], x[nodes[c]]});
+    for (const auto& [a, b, c] : triangles_of(x, nodes))
+      add({x[nodes[a]], x[nodes[b]], x[nodes[c]]});
   }
   tree_ = BoxTree<3>(boxes);
 }
 
-double SurfaceDistance::to(const Vec3& place) const {
-  constexpr double near = 0.01;  // of the extent: mostly larger than the distance
-  const auto to_triangle = [&](Index t) { return distance(place, triangles_[at(t)]); };
-  auto found = tree_.nearest(place, near * extent(), to_triangle);
-  if (!found) found = tree_.nearest(place, std::numeric_limits<double>::infinity(), to_triangle);
+double SurfaceDistance::to(const Vec3& point) const {
+  constexpr double near = 0.01;  // of the extent: a search within it is faster and mostly succeeds
+  const auto to_triangle = [&](Index t) { return distance(point, triangles_[at(t)]); };
+  auto found = tree_.nearest(point, near * extent(), to_triangle);
+  if (!found) found = tree_.nearest(point, std::numeric_limits<double>::infinity(), to_triangle);
   return found ? found->distance : 0;
 }
 
@@ -121,13 +112,11 @@ std::vector<double> element_distances(const Mesh& mesh, const SurfaceDistance& f
 
 namespace {
 
-bool is_closed(const Topology& topology) {
-  return std::ranges::none_of(topology.edges(),
-                              [](const Topology::Edge& edge) { return edge.elements[1] < 0; });
-}
-
+/// Only for a closed surface.
 std::optional<double> volume_of(const Mesh& mesh) {
-  return is_closed(*mesh.topology) ? std::optional(enclosed_volume(mesh)) : std::nullopt;
+  const auto is_border = [](const Topology::Edge& edge) { return edge.elements[1] < 0; };
+  if (std::ranges::any_of(mesh.topology->edges(), is_border)) return std::nullopt;
+  return enclosed_volume(mesh);
 }
 
 double largest_of(std::span<const double> values) {
@@ -145,11 +134,7 @@ double enclosed_volume(const Mesh& mesh) {
   };
   for (Index e = 0; e < mesh.topology->element_count(); ++e) {
     const auto nodes = mesh.topology->element(e);
-    if (nodes.size() == 3) {
-      add(x[nodes[0]], x[nodes[1]], x[nodes[2]]);
-      continue;
-    }
-    for (const auto& [a, b, c] : halves_of(x, nodes)) add(x[nodes[a]], x[nodes[b]], x[nodes[c]]);
+    for (const auto& [a, b, c] : triangles_of(x, nodes)) add(x[nodes[a]], x[nodes[b]], x[nodes[c]]);
   }
   return volume;
 }

@@ -5,15 +5,15 @@
 
 namespace winslow {
 
-/// Distances from places to a surface mesh: to its plane triangles, quadrilaterals cut along their
-/// shorter diagonal.
+/// Distances of points from a surface mesh: from its triangles and the two triangles of each
+/// quadrilateral, which is cut along its shorter diagonal.
 class SurfaceDistance {
  public:
   /// Throws UsageError unless it is a surface mesh.
   explicit SurfaceDistance(const Mesh& mesh);
 
-  /// To the nearest triangle, in units of the mesh.
-  double to(const Vec3& place) const;
+  /// Distance to the nearest triangle, in units of the mesh.
+  double to(const Vec3& point) const;
   /// Diagonal of the box around the mesh.
   double extent() const { return around_.size().norm(); }
 
@@ -25,22 +25,22 @@ class SurfaceDistance {
   BoxTree<3> tree_;
 };
 
-/// How far each element of a surface mesh is from another one of the same shape (#elements): the
-/// largest distance of its nodes, the middles of its edges and its own (of a quadrilateral the
-/// middles of its two triangles). threads: 0 for all cores; no result depends on it.
+/// Distance of each element of a surface mesh from another mesh of the same shape (#elements): the
+/// largest distance of its nodes, of the midpoints of its edges and of its centre (of a
+/// quadrilateral the centres of its two triangles). threads: 0 for all cores; no result depends on
+/// it.
 std::vector<double> element_distances(const Mesh& mesh, const SurfaceDistance& from,
                                       int threads = 0);
 double element_distance(const Mesh& mesh, Index element, const SurfaceDistance& from);
-/// The same of its nodes (#nodes); 0 of those that no element has.
+/// The distances of its nodes (#nodes); 0 for nodes that no element uses.
 std::vector<double> node_distances(const Mesh& mesh, const SurfaceDistance& from, int threads = 0);
 
-/// How far a surface mesh is from another one of the same shape, and the volume that it encloses.
-/// Surfaces are those of the elements: plane triangles, quadrilaterals cut along their shorter
-/// diagonal.
+/// The change from one surface mesh to another one of the same shape: distances and enclosed
+/// volumes. Surfaces consist of triangles; quadrilaterals are cut along their shorter diagonal.
 struct SurfaceChange {
-  /// Largest distance, in units of the mesh, from places of one surface to the other: its nodes,
-  /// the middles of its edges and of its elements. The larger one is the Hausdorff distance of the
-  /// two, as far as these places tell.
+  /// Largest distance, in units of the mesh, of sample points of one surface from the other one:
+  /// its nodes, the midpoints of its edges and the centres of its elements. The larger one
+  /// approximates the Hausdorff distance of the two.
   double from_before = 0, from_after = 0;
   double extent = 0;  ///< diagonal of the box around the mesh before
   /// Enclosed volume; none of a surface that is not closed.
@@ -53,8 +53,7 @@ struct SurfaceChange {
 /// meshes.
 SurfaceChange compare_surfaces(const Mesh& before, const Mesh& after, int threads = 0);
 
-/// The same of a surface whose distances are known already. after_to_before: what
-/// element_distances() says of the mesh after.
+/// The same if the distances of the mesh after are known. after_to_before: its element_distances().
 SurfaceChange compare_surfaces(const Mesh& before, const SurfaceDistance& to_before,
                                const Mesh& after, std::span<const double> after_to_before,
                                int threads = 0);

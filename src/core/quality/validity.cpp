@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "core/mesh/corner_tetrahedra.h"
+#include "core/mesh/element_type.h"
 #include "core/parallel/parallel_for.h"
-#include "core/quality/corner.h"
+#include "core/quality/metric.h"
 
 namespace winslow {
 
@@ -12,23 +12,21 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// True if d0 + d1 t + d2 t^2 + d3 t^3 stays positive up to t = most by the sizes of its
-/// coefficients alone: the case of almost every element, without a root.
+/// True if the sizes of the coefficients alone show that d0 + d1 t + d2 t^2 + d3 t^3 is positive up
+/// to t = most. This decides almost all elements without computing a root.
 bool stays_positive(double d0, double d1, double d2, double d3, double most) {
   constexpr double round_off = 1e-12;
   const double fall = most * (std::abs(d1) + most * (std::abs(d2) + most * std::abs(d3)));
   return d0 * (1 - round_off) > fall;
 }
 
-/// Of a corner whose area is d0 + d1 t + d2 t^2.
+/// The step of a corner with the area d0 + d1 t + d2 t^2.
 double area_step(double d0, double d1, double d2, double most) {
   if (!(d0 > 0)) return 0;
   return stays_positive(d0, d1, d2, 0, most) ? most : first_positive_root(d0, d1, d2);
 }
 
-/// Of a corner, given by its node and the ends of its two edges.
+/// The step of a corner, given by its node and the ends of its two edges.
 double corner_step(const std::array<Vec2, 3>& from, const std::array<Vec2, 3>& to, double most) {
   const Vec2 u = from[1] - from[0], v = from[2] - from[0];
   const Vec2 du = to[1] - to[0] - u, dv = to[2] - to[0] - v;
@@ -36,7 +34,8 @@ double corner_step(const std::array<Vec2, 3>& from, const std::array<Vec2, 3>& t
   return area_step(cross(u, v), d1, cross(du, dv), most);
 }
 
-/// The same in space, seen as it is at first. normal: the reference normal.
+/// The same in space; the area is measured along the area vector in `from`. normal: the reference
+/// normal.
 double corner_step(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to,
                    const Vec3& normal, double most) {
   const Vec3 u = from[1] - from[0], v = from[2] - from[0];
@@ -52,7 +51,7 @@ double corner_step(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& t
 double first_positive_root(double d0, double d1, double d2) {
   const double discriminant = d1 * d1 - 4 * d0 * d2;
   if (!(discriminant >= 0)) return infinite;
-  // The form that does not cancel: roots q / d2 and d0 / q.
+  // The form without cancellation: the roots are q / d2 and d0 / q.
   const double q = -0.5 * (d1 + std::copysign(std::sqrt(discriminant), d1));
   double first = infinite;
   for (const double root : {d2 != 0 ? q / d2 : infinite, q != 0 ? d0 / q : infinite}) {
@@ -63,7 +62,8 @@ double first_positive_root(double d0, double d1, double d2) {
 
 namespace {
 
-/// Of a polynomial that is positive at `low`, not positive at `high`, and monotone between.
+/// The root of a polynomial that is positive at `low`, not positive at `high` and monotone between,
+/// rounded down.
 template <typename Polynomial>
 double root_between(const Polynomial& p, double low, double high) {
   for (int halving = 0; halving < 100; ++halving) {
@@ -79,7 +79,7 @@ double root_between(const Polynomial& p, double low, double high) {
 double first_positive_root(double d0, double d1, double d2, double d3) {
   const auto p = [&](double t) { return d0 + t * (d1 + t * (d2 + t * d3)); };
   if (!(d0 > 0)) return 0;
-  // Between its extremes the cubic is monotone.
+  // The cubic is monotone between its extremes.
   std::array<double, 2> extremes{infinite, infinite};
   const double discriminant = d2 * d2 - 3 * d1 * d3;
   if (discriminant >= 0) {
@@ -96,7 +96,7 @@ double first_positive_root(double d0, double d1, double d2, double d3) {
     if (!(p(t) > 0)) return root_between(p, low, t);
     low = t;
   }
-  // Beyond the last extreme it falls for ever, or never again.
+  // Beyond the last extreme it falls for ever or never.
   const bool falls = d3 != 0 ? d3 < 0 : d2 != 0 ? d2 < 0 : d1 < 0;
   if (!falls) return infinite;
   double high = std::max(2 * low, 1.0);
@@ -121,7 +121,8 @@ double tetrahedron_step(const std::array<Index, 4>& nodes, const SpacePoints& fr
   return stays_positive(d0, d1, d2, d3, most) ? most : first_positive_root(d0, d1, d2, d3);
 }
 
-/// visit(node, next, previous) for each corner of which the areas are not the same.
+/// Calls visit(node, next, previous) for each corner; once for a triangle, since its corners have
+/// the same area.
 template <typename Visit>
 void for_each_corner(std::span<const Index> nodes, const Visit& visit) {
   const std::size_t count = nodes.size(), corners = count == 3 ? 1 : count;
@@ -148,7 +149,7 @@ double smallest_step(Index elements, double most, int threads, Step&& step) {
 
 double largest_valid_step(const Topology& topology, const Coordinates& from, const Coordinates& to,
                           double most, int threads) {
-  if (topology.cell_dimension() == 3) {
+  if (topology.kind() == MeshKind::volume) {
     const SpacePoints before(from), after(to);
     return smallest_step(topology.element_count(), most, threads, [&](Index e, double smallest) {
       for (const auto& corner : corner_tetrahedra(topology.element_type(e))) {

@@ -26,7 +26,7 @@ double scaled_determinant(const VolumeCorner& corner) {
   return lengths > 0 ? corner.determinant / lengths : 0;
 }
 
-/// What a corner of the regular element has.
+/// Values of a corner of the regular element.
 struct RegularCorner {
   Eigen::Matrix3d inverse;  // of its edges
   double scaled_determinant;
@@ -46,13 +46,12 @@ std::vector<RegularCorner> make_regular(ElementType type) {
 }
 
 const std::vector<RegularCorner>& regular(ElementType type) {
-  static const std::array<std::vector<RegularCorner>, 4> lists{
-      make_regular(ElementType::tetrahedron), make_regular(ElementType::pyramid),
-      make_regular(ElementType::prism), make_regular(ElementType::hexahedron)};
-  return lists[static_cast<std::size_t>(type) - static_cast<std::size_t>(ElementType::tetrahedron)];
+  static const auto lists = table_by_type(make_regular);
+  return lists[static_cast<std::size_t>(type)];
 }
 
-/// Largest value of a function of the corners' tetrahedra; infinite if one is inverted.
+/// Largest value of measure(corner, corner of the regular element); infinite if a corner is
+/// inverted.
 template <typename Measure>
 double largest_of_corners(const SpacePoints& x, ElementType type, std::span<const Index> corners,
                           Measure&& measure) {
@@ -77,7 +76,7 @@ double VolumeElement::scaled_jacobian() const {
     const VolumeCorner corner(x_, by_nodes(tetrahedra[k], corners_));
     double scaled = scaled_determinant(corner);
     if (type_ == ElementType::tetrahedron) {
-      // One determinant, four corners: that with the longest edges counts.
+      // All four corners have the same determinant: the one with the longest edges is the smallest.
       const auto length = [&](int i, int j) {
         return (corner.edges.col(i) - corner.edges.col(j)).norm();
       };
@@ -160,7 +159,7 @@ bool prism_positive(const SpacePoints& x, std::span<const Index> corners) {
     low[k] = x[corners[k]];
     high[k] = x[corners[k + 3]];
   }
-  // The triangle's sides at height t, and the vertical edge at each of its corners.
+  // Jacobian at corner k of the triangle at height t.
   const auto at_corner = [&](std::size_t k, double t) {
     const auto place = [&](std::size_t i) { return Vec3((1 - t) * low[i] + t * high[i]); };
     const Vec3 p = place(0);
@@ -177,7 +176,7 @@ bool prism_positive(const SpacePoints& x, std::span<const Index> corners) {
 /// {0, 1/2, 1}^3, or its Bernstein coefficients; the first direction runs fastest.
 using Lattice = std::array<double, 27>;
 
-/// change(first, second, third value along a line) for every line in each direction.
+/// Calls change(first, second, third) with the values along every line of each direction.
 template <typename Change>
 void along_lines(Lattice& values, Change&& change) {
   for (const std::size_t step : {std::size_t{1}, std::size_t{3}, std::size_t{9}}) {
@@ -219,7 +218,7 @@ bool all_positive(const Lattice& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return v > 0; });
 }
 
-/// The coefficients at the corners are values of the polynomial.
+/// The Bernstein coefficients at the corners are values of the polynomial.
 bool corner_values_positive(const Lattice& c) {
   for (const unsigned i : {0U, 2U, 6U, 8U, 18U, 20U, 24U, 26U}) {
     if (!(c[i] > 0)) return false;
@@ -236,9 +235,9 @@ bool positive_over(const Lattice& coefficients, int depth) {
   return true;
 }
 
-/// The Jacobian of the trilinear map at the lattice.
+/// The Jacobian of the trilinear map at the points of the lattice.
 Lattice jacobians(const SpacePoints& x, std::span<const Index> corners) {
-  // Corners by their coordinates: the first direction fastest.
+  // Corners in the order of their coordinates; the first direction runs fastest.
   constexpr std::array<std::size_t, 8> order{0, 1, 3, 2, 4, 5, 7, 6};
   std::array<Vec3, 8> p;
   for (std::size_t k = 0; k < 8; ++k) p[k] = x[corners[order[k]]];

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/mesh/coordinates.h"
-#include "core/mesh/corner_tetrahedra.h"
 #include "core/mesh/element_type.h"
 #include "core/types.h"
 
@@ -15,8 +14,8 @@ struct VolumeCorner {
   Eigen::Matrix3d edges;  ///< columns
   double determinant;     ///< of the edges: six times the volume of the corner's tetrahedron
 
-  VolumeCorner(const Vec3& at, const Vec3& a, const Vec3& b, const Vec3& c) {
-    edges << a - at, b - at, c - at;
+  VolumeCorner(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    edges << a - p, b - p, c - p;
     determinant = edges.col(0).dot(edges.col(1).cross(edges.col(2)));
   }
   VolumeCorner(const SpacePoints& x, const std::array<Index, 4>& nodes)
@@ -33,15 +32,14 @@ inline double solid_angle_of(const Vec3& a, const Vec3& b, const Vec3& c) {
                         la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
-/// One element of a volume mesh, as the metrics in space see it. A corner is compared with that of
-/// the regular element of its type (regular_corners()): unit edges, equilateral triangles, square
-/// faces. Definitions: see Metric.
+/// The metrics of one volume element; for definitions see Metric. Corners are compared with those
+/// of the regular element (regular_corners()): unit edges, equilateral triangles, square faces.
 class VolumeElement {
  public:
   VolumeElement(const Coordinates& x, ElementType type, std::span<const Index> corners)
       : coordinates_(x), x_(x), type_(type), corners_(corners) {}
 
-  bool inverted() const;  ///< the Jacobian is not positive all over it
+  bool inverted() const;  ///< the Jacobian is not positive everywhere
   double scaled_jacobian() const;
   double radius_ratio() const;      ///< infinite where inverted
   double condition_number() const;  ///< infinite where inverted
@@ -58,19 +56,20 @@ class VolumeElement {
   std::span<const Index> corners_;
 };
 
-/// Whether the Jacobian of a volume element's map from its reference element is positive all over
-/// it, its corners included; a Jacobian that is not a number is not.
+/// Whether the Jacobian of the map from the reference element to a volume element is positive
+/// everywhere, corners included. NaN is not positive.
 ///
 /// - tetrahedron: constant.
 /// - pyramid: (1 - zeta)^2 times a bilinear function of the base's two coordinates (D = det(q_xi,
 ///   q_eta, apex - q) with q the bilinear base has degree one in each), so its corners decide.
-/// - prism: linear over the triangle and quadratic along the third direction: three quadratics
-///   decide.
-/// - hexahedron: of degree two in each of three directions. Its 27 Bernstein coefficients bound it
-///   from below, its values at the lattice of corners, mid-points and centres from above; where
-///   these disagree the element is divided into eight, up to five times (A. Johnen, J.-F. Remacle,
-///   C. Geuzaine, J. Comput. Phys. 233, 2013). What is undecided then counts as not positive: the
-///   Jacobian comes within 1e-6 of its largest value of zero, or so.
+/// - prism: linear over the triangle and quadratic along the third direction, so the quadratics
+///   along the three vertical edges decide.
+/// - hexahedron: of degree two in each of three directions. The smallest of its 27 Bernstein
+///   coefficients is a lower bound; the values at the corners, midpoints and centres are upper
+///   bounds of its minimum. If these do not decide, the element is divided into eight, up to five
+///   times (A. Johnen, J.-F. Remacle, C. Geuzaine, J. Comput. Phys. 233, 2013). If it is still
+///   undecided it counts as not positive: the minimum is then within about 1e-6 of the largest
+///   value from zero.
 bool has_positive_jacobian(const SpacePoints& x, ElementType type, std::span<const Index> corners);
 
 }  // namespace winslow

@@ -8,27 +8,18 @@ namespace winslow {
 
 namespace {
 
-/// With the elements on the left, loops around them turn left and loops around bodies right.
-bool bounds_a_body(const PlanePoints& x, const std::vector<Index>& loop) {
-  const Vec2 origin = x[loop.front()];  // far from the true one, areas would cancel
-  double area2 = 0;
-  for (std::size_t k = 0; k < loop.size(); ++k) {
-    const Vec2 a = x[loop[k]] - origin, b = x[loop[(k + 1) % loop.size()]] - origin;
-    area2 += a.x() * b.y() - a.y() * b.x();
-  }
-  return area2 < 0;
-}
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
 std::vector<Wall> find_walls(const Mesh& mesh) {
   const Topology& topology = *mesh.topology;
   require_plane(topology, "walls");
-  const PlanePoints x(mesh.coordinates);
   std::vector<Wall> walls;
   std::unordered_map<Index, std::size_t> wall_of_node;
   for (const auto& loop : topology.boundary_loops()) {
-    if (!bounds_a_body(x, loop)) continue;
+    // With the elements on the left, a loop around the mesh turns left and one around a body right.
+    if (!(signed_area2(mesh.coordinates, loop) < 0)) continue;
     for (const Index node : loop) wall_of_node[node] = walls.size();
     walls.push_back({loop, {}});
   }
@@ -47,7 +38,7 @@ std::vector<Wall> find_walls(const Mesh& mesh) {
 
 namespace {
 
-/// Reorders the values, of which there is at least one. Cheaper than to sort them all.
+/// The share-quantile of at least one value. Reorders the values; cheaper than sorting them.
 double quantile(std::vector<double>& values, double share) {
   const double place = share * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::ptrdiff_t>(std::floor(place));
@@ -76,12 +67,22 @@ Quantiles quantiles_of(std::vector<double> values) {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+/// Makes one value of two.
+using Choice = std::function<double(double, double)>;
 
-/// Signed area of the parallelogram between two vectors.
-double spanned(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+/// The choice of two values, or the one that is not NaN.
+double chosen(double a, double b, const Choice& choice) {
+  if (std::isnan(a)) return b;
+  return std::isnan(b) ? a : choice(a, b);
+}
 
-/// Edge k of a wall, from node k to the next, with the wall's nodes before and after it.
+double larger(double a, double b) { return std::max(a, b); }
+double mean(double a, double b) { return 0.5 * (a + b); }
+double further_from_one(double a, double b) {
+  return std::abs(std::log(a)) >= std::abs(std::log(b)) ? a : b;
+}
+
+/// Edge k of a wall, from node k to the next one, with the nodes of the wall before and after it.
 struct WallEdge {
   WallEdge(const Wall& wall, std::size_t k) {
     const std::size_t n = wall.nodes.size();
@@ -102,18 +103,14 @@ struct WallEdge {
   std::array<Index, 4> nodes{};
 };
 
-std::size_t place_in(std::span<const Index> element, Index node) {
-  return static_cast<std::size_t>(std::find(element.begin(), element.end(), node) -
-                                  element.begin());
-}
-
-/// Height of the corner that faces an end of the edge; NaN if it is on the wall, and so is the
-/// other one.
+/// Height of the corner of the element that is opposite to an end of the edge; if that corner lies
+/// on the wall, of the other corner off the edge; NaN if both lie on the wall.
 double facing_height(const Topology& topology, const PlanePoints& x, const WallEdge& edge,
                      Index element, bool at_start) {
   const auto corners = topology.element(element);
-  const std::size_t n = corners.size(), start = place_in(corners, edge.from());
-  // Counter-clockwise from the start: its end, then what faces the end, then what faces the start.
+  const std::size_t n = corners.size(), start = index_of(corners, edge.from());
+  // Counter-clockwise: start, end, the corner opposite to the end, the corner opposite to the
+  // start.
   const Index of_end = corners[(start + 2) % n], of_start = corners[(start + n - 1) % n];
   for (const Index node : at_start ? std::array{of_start, of_end} : std::array{of_end, of_start}) {
     if (!edge.holds(node)) return edge.distance(x, node);
@@ -126,11 +123,6 @@ Index element_at(const Topology& topology, const WallEdge& edge) {
   return topology.edges()[at(*face)].elements[0];
 }
 
-double mean_of_known(double a, double b) {
-  if (std::isnan(a)) return b;
-  return std::isnan(b) ? a : 0.5 * (a + b);
-}
-
 /// Least angle between a normal and the edges that lead from a wall node into the mesh, degrees.
 double least_tilt(const Topology& topology, const PlanePoints& x, Index node, const Vec2& normal) {
   if (normal.squaredNorm() == 0) return none;
@@ -139,13 +131,13 @@ double least_tilt(const Topology& topology, const PlanePoints& x, Index node, co
   double least = none;
   for (std::size_t k = 1; k + 1 < row.size(); ++k) {
     const Vec2 edge = x[row[k]] - x[node];
-    const double tilt = degrees(std::atan2(std::abs(spanned(normal, edge)), normal.dot(edge)));
+    const double tilt = degrees(std::abs(turn_between(normal, edge)));
     least = std::isnan(least) ? tilt : std::min(least, tilt);
   }
   return least;
 }
 
-/// Walks from quadrilateral to quadrilateral over opposite edges.
+/// Walks along a column of quadrilaterals, through opposite edges.
 class Column {
  public:
   Column(const Topology& topology, const PlanePoints& x, std::array<Index, 2> edge, Index element)
@@ -159,7 +151,7 @@ class Column {
   std::optional<Cell> next() {
     if (element_ < 0 || topology_.element_type(element_) != ElementType::quadrilateral) return {};
     const auto corners = topology_.element(element_);
-    const std::size_t a = place_in(corners, edge_[0]), b = place_in(corners, edge_[1]);
+    const std::size_t a = index_of(corners, edge_[0]), b = index_of(corners, edge_[1]);
     const std::size_t first = (a + 1) % 4 == b ? a : b;
     const std::array<Index, 2> opposite{corners[(first + 2) % 4], corners[(first + 3) % 4]};
     const Cell cell{element_, (middle(opposite) - middle(edge_)).norm()};
@@ -175,19 +167,11 @@ class Column {
 
   const Topology& topology_;
   const PlanePoints& x_;
-  std::array<Index, 2> edge_;  // by which the element is entered
+  std::array<Index, 2> edge_;  // the edge of the element towards the wall
   Index element_;
 };
 
 double larger_over_smaller(double a, double b) { return std::max(a, b) / std::min(a, b); }
-
-double area_of(const PlanePoints& x, std::span<const Index> element) {
-  const Vec2 origin = x[element[0]];
-  double area2 = 0;
-  for (std::size_t k = 1; k + 1 < element.size(); ++k)
-    area2 += spanned(x[element[k]] - origin, x[element[k + 1]] - origin);
-  return 0.5 * area2;
-}
 
 }  // namespace
 
@@ -200,7 +184,7 @@ std::vector<double> first_heights(const Mesh& mesh, const Wall& wall) {
     const Index element = element_at(*mesh.topology, edge);
     for (const bool at_start : {true, false}) {
       double& height = heights[at_start ? k : (k + 1) % n];
-      height = mean_of_known(height, facing_height(*mesh.topology, x, edge, element, at_start));
+      height = chosen(height, facing_height(*mesh.topology, x, edge, element, at_start), mean);
     }
   }
   return heights;
@@ -240,10 +224,9 @@ std::vector<NeighbourRatio> column_growth(const Mesh& mesh, const Wall& wall) {
 std::vector<NeighbourRatio> size_ratios(const Mesh& mesh) {
   const Topology& topology = *mesh.topology;
   require_plane(topology, "sizes of elements");
-  const PlanePoints x(mesh.coordinates);
   std::vector<double> areas(at(topology.element_count()));
   for (Index e = 0; e < topology.element_count(); ++e)
-    areas[at(e)] = area_of(x, topology.element(e));
+    areas[at(e)] = 0.5 * signed_area2(mesh.coordinates, topology.element(e));
   std::vector<NeighbourRatio> ratios;
   for (const Topology::Edge& edge : topology.edges()) {
     if (edge.elements[1] < 0) continue;
@@ -289,6 +272,116 @@ WallReport measure_walls(const Mesh& mesh) {
   report.growth = quantiles_of(std::move(growths));
   report.size_ratio = quantiles_of(values_of(size_ratios(mesh)));
   return report;
+}
+
+namespace {
+
+/// In the order of the enumeration.
+constexpr std::array infos{
+    FieldInfo("first_height", "First height",
+              "Height of the cells at the walls of bodies, in units of the mesh.", Better::larger,
+              ColorRange::robust_both_sides, 0, {.judged = false, .unit = "units of the mesh"}),
+    FieldInfo("first_height_ratio", "First height over before",
+              "Height of the cells at the walls of bodies over what it was in the mesh that the "
+              "present one is compared with. 1 is unchanged.",
+              Better::smaller, ColorRange::around_one, 1.05,
+              {.one_is_best = true, .judged = false}),
+    FieldInfo("first_edge_tilt", "Tilt of the first edge",
+              "Degrees by which the first edges off a wall deviate from its normal.",
+              Better::smaller, ColorRange::from_zero, 20, {.unit = "degrees"}),
+    FieldInfo("growth", "Growth off the wall",
+              "Ratio of the heights of consecutive cells in the columns of quadrilaterals on a "
+              "wall, the larger over the smaller; the larger of a cell's two.",
+              Better::smaller, ColorRange::from_one, 1.3, {.judged = false}),
+    FieldInfo("size_ratio", "Size ratio",
+              "Square root of the ratio of the areas of an element and a neighbour, the larger "
+              "over the smaller; the largest of its neighbours'.",
+              Better::smaller, ColorRange::from_one, 2),
+};
+
+std::vector<double> empty_values(const Mesh& mesh) {
+  return std::vector<double>(at(mesh.topology->element_count()), none);
+}
+
+std::vector<double> largest(const Mesh& mesh, std::span<const NeighbourRatio> ratios) {
+  std::vector<double> values = empty_values(mesh);
+  for (const NeighbourRatio& ratio : ratios)
+    for (const Index e : ratio.elements) values[at(e)] = chosen(values[at(e)], ratio.value, larger);
+  return values;
+}
+
+/// How the values at the two ends of a wall edge become one, and the values of several wall edges
+/// of one element.
+struct Choices {
+  Choice of_ends, of_edges;
+};
+
+/// Values of elements with an edge on a wall. at_nodes(wall): values of its nodes.
+template <typename AtNodes>
+std::vector<double> over_walls(const Mesh& mesh, const AtNodes& at_nodes, const Choices& choices) {
+  std::vector<double> values = empty_values(mesh);
+  for (const Wall& wall : find_walls(mesh)) {
+    const std::vector<double> list = at_nodes(wall);
+    for (std::size_t i = 0; i < wall.nodes.size(); ++i) {
+      const std::size_t j = (i + 1) % wall.nodes.size();
+      double& value = values[at(element_at(*mesh.topology, WallEdge(wall, i)))];
+      value = chosen(value, chosen(list[i], list[j], choices.of_ends), choices.of_edges);
+    }
+  }
+  return values;
+}
+
+std::vector<double> height_ratios(const Mesh& mesh, const Wall& wall, const Coordinates& before) {
+  std::vector<double> ratios = first_heights(mesh, wall);
+  const std::vector<double> were = first_heights(Mesh{mesh.topology, before}, wall);
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    ratios[i] /= were[i];
+    if (!(ratios[i] > 0) || !std::isfinite(ratios[i])) ratios[i] = none;
+  }
+  return ratios;
+}
+
+std::vector<double> growths(const Mesh& mesh) {
+  std::vector<NeighbourRatio> all;
+  for (const Wall& wall : find_walls(mesh)) {
+    const auto of_wall = column_growth(mesh, wall);
+    all.insert(all.end(), of_wall.begin(), of_wall.end());
+  }
+  return largest(mesh, all);
+}
+
+}  // namespace
+
+const std::vector<WallField>& all_wall_fields() {
+  static const std::vector<WallField> all = [] {
+    std::vector<WallField> list;
+    for (std::size_t i = 0; i < infos.size(); ++i) list.push_back(static_cast<WallField>(i));
+    return list;
+  }();
+  return all;
+}
+
+const FieldInfo& wall_field_info(WallField field) { return infos[static_cast<std::size_t>(field)]; }
+
+std::vector<double> element_values(const Mesh& mesh, WallField field, const Coordinates* before) {
+  require_plane(*mesh.topology, "cells at walls");
+  switch (field) {
+    case WallField::first_height:
+      return over_walls(mesh, [&](const Wall& wall) { return first_heights(mesh, wall); },
+                        {mean, larger});
+    case WallField::first_height_ratio:
+      if (!before || before->size() != mesh.coordinates.size()) return empty_values(mesh);
+      return over_walls(mesh, [&](const Wall& wall) { return height_ratios(mesh, wall, *before); },
+                        {further_from_one, further_from_one});
+    case WallField::first_edge_tilt:
+      return over_walls(mesh, [&](const Wall& wall) { return first_edge_tilts(mesh, wall); },
+                        {larger, larger});
+    case WallField::growth:
+      return growths(mesh);
+    case WallField::size_ratio:
+      return largest(mesh, size_ratios(mesh));
+  }
+  return empty_values(mesh);
 }
 
 }  // namespace winslow

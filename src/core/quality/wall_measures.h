@@ -1,50 +1,53 @@
 #pragma once
 
 #include "core/mesh/mesh.h"
+#include "core/quality/metric.h"
 
 namespace winslow {
 
-/// The boundary of a body: a closed loop of the mesh's boundary with the body inside. The loop
-/// around the mesh (around each of its connected parts) is none: what of it is a wall, an inlet or
-/// a symmetry line, a mesh does not say.
+/// The boundary of a body: a closed loop of the boundary of the mesh with the body inside. The loop
+/// around the mesh, or around each of its connected parts, is no Wall, since the mesh does not say
+/// which parts of it are walls, inlets or symmetry lines.
 struct Wall {
-  std::vector<Index> nodes;          ///< along the loop, the elements on its left; closed
-  std::vector<std::string> markers;  ///< that have faces in it, in the order of the mesh's markers
+  std::vector<Index> nodes;          ///< along the loop, with the elements on the left
+  std::vector<std::string> markers;  ///< markers with faces in it, in the order of the mesh
 };
 
 /// The walls of a plane mesh, in the order of its boundary loops. Throws UsageError for another.
 std::vector<Wall> find_walls(const Mesh& mesh);
 
-/// How a list of numbers is spread.
+/// The distribution of a list of numbers.
 struct Quantiles {
-  std::size_t count = 0;  ///< 0: there are none, and the rest says nothing
+  std::size_t count = 0;  ///< 0: no numbers; the other members are then 0
   double min = 0, low = 0, median = 0, high = 0, max = 0;  ///< low: 5 %, high: 95 %
 };
 
-/// Of the finite ones among the values. The q-quantile of n sorted values lies at place q (n - 1),
+/// The quantiles of the finite values. The q-quantile of n sorted values lies at place q (n - 1),
 /// linearly between its two neighbours (R. J. Hyndman, Y. Fan, Am. Stat. 50, 1996, type 7).
 Quantiles quantiles_of(std::vector<double> values);
 
-/// What the user of a flow solver judges the cells at walls by. All of it is for plane meshes of
-/// triangles and quadrilaterals; units are those of the mesh unless said otherwise.
+/// Measures of the cells at walls, which matter to flow solvers. They are for plane meshes of
+/// triangles and quadrilaterals. Lengths are in units of the mesh.
 
-/// First heights at the nodes of a wall (#nodes of it; NaN where there is none).
+/// First heights at the nodes of a wall (#nodes of it; NaN for a node without a height).
 ///
-/// Each edge of the wall has one element. At either end of the edge, the corner of that element
-/// that faces the end is the one to which an edge off the wall leads from there (of a
-/// quadrilateral), or the apex (of a triangle). Its height is its distance from the wall: the least
-/// distance to the edge itself and to the wall's next edge on either side, as line segments. The
-/// first height of a node is the mean of the heights that the two edges meeting there give for it.
+/// Each edge of the wall has one element. The height of the edge at one of its ends is that of a
+/// corner of this element: of a quadrilateral the other end of the edge that leads from there off
+/// the wall, of a triangle the apex. The height of a corner is its distance from the wall: the
+/// smallest distance from the edge and from the wall edges before and after it, as line segments.
+/// The first height of a node is the mean of the heights of its two wall edges there.
 ///
 /// On an O-grid both heights are of the same corner, the next node along the grid line off the
-/// wall. Triangles that touch the wall with a corner only do not count, so that it does not matter
-/// how many edges leave a node. A corner that lies on the three edges itself (a quadrilateral in a
-/// concave corner) is no height: the other far corner stands in, or the edge says nothing.
+/// wall. Triangles with only a corner on the wall do not count, so that the number of edges at a
+/// node does not matter. If the corner lies on one of the three edges (a quadrilateral in a concave
+/// corner), the other corner of the quadrilateral off the edge is taken; if that lies on them, too,
+/// the edge has no height.
 std::vector<double> first_heights(const Mesh& mesh, const Wall& wall);
 
-/// By how many degrees the first edge off each node of a wall deviates from the wall's normal there
+/// Angles in degrees between the first edge off each node of a wall and the normal of the wall
+/// there
 /// (#nodes; NaN where no edge leads off the wall, or the normal is not defined). The normal is the
-/// mean of the unit normals of the two wall edges; the first edge is that which deviates least.
+/// mean of the unit normals of the two wall edges; the first edge is the one with the least angle.
 std::vector<double> first_edge_tilts(const Mesh& mesh, const Wall& wall);
 
 /// A ratio of two neighbouring elements, the larger over the smaller: at least 1.
@@ -53,11 +56,10 @@ struct NeighbourRatio {
   double value;
 };
 
-/// Growth ratios along the columns of quadrilaterals that stand on a wall's edges, one for each
-/// pair of consecutive cells, in no special order: the larger of their heights over the smaller, so
-/// at least 1. The height of a cell is the distance between the midpoints of its edge towards the
-/// wall and the one opposite. A column ends at a triangle and at the boundary: a wall that has
-/// triangles has no ratios.
+/// Growth ratios along the columns of quadrilaterals on the edges of a wall: for each pair of
+/// consecutive cells the larger of their heights over the smaller, at least 1, in no special order.
+/// The height of a cell is the distance between the midpoints of its edge towards the wall and of
+/// the opposite edge. A column ends at a triangle and at the boundary.
 std::vector<NeighbourRatio> column_growth(const Mesh& mesh, const Wall& wall);
 
 /// Size ratios of all pairs of elements that share an edge: the square root of the larger area over
@@ -84,5 +86,31 @@ struct WallReport {
 };
 
 WallReport measure_walls(const Mesh& mesh);
+
+/// The heights of the cells at walls:
+///
+///     const auto heights = winslow::element_values(mesh, winslow::WallField::first_height);
+
+/// Measures of the cells at walls, and of the sizes of neighbours, as a number of each element:
+/// - first_height: of an element with an edge on a wall, the mean of the first heights at the ends
+///   of that edge, in units of the mesh;
+/// - first_height_ratio: of such an element, the first height over the one before, at the end of
+/// its
+///   edge where this ratio is further from 1, as a factor;
+/// - first_edge_tilt: of such an element, the larger of the tilts at the ends of its edge, degrees;
+/// - growth: of an element in a column of quadrilaterals over a wall, the larger of its ratios to
+///   the next cells of the column;
+/// - size_ratio: of any element, the largest of its size ratios.
+/// An element with several edges on walls, or in several columns, has the largest value, for the
+/// ratio the value furthest from 1. Other elements have NaN.
+enum class WallField { first_height, first_height_ratio, first_edge_tilt, growth, size_ratio };
+
+const std::vector<WallField>& all_wall_fields();
+const FieldInfo& wall_field_info(WallField field);
+
+/// Value of each element (#elements). before: the earlier coordinates of the nodes (#nodes by 2),
+/// for first_height_ratio alone; if it is null or of another number of nodes, that has no values.
+std::vector<double> element_values(const Mesh& mesh, WallField field,
+                                   const Coordinates* before = nullptr);
 
 }  // namespace winslow

@@ -8,12 +8,12 @@ namespace winslow {
 
 namespace {
 
-/// Most items of a leaf: looking at so many boxes in a row is faster than another level.
+/// Largest number of items of a leaf. A loop over so many boxes is faster than another level.
 constexpr std::size_t leaf_size = 8;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Some of the ray's points lie in the box. Errs on the side of true by a few units of round-off.
+/// Whether the ray passes the box, which is enlarged by a few units of round-off.
 template <int D>
 bool passes(const Ray<D>& ray, const Box<D>& box) {
   constexpr double wider = 1 + 8 * epsilon;
@@ -39,7 +39,7 @@ struct BoxTree<D>::Entry {
   std::array<std::uint32_t, D> place;  // the centre of its box on a grid over all of them
   Index item;
 
-  /// Items decide between equal places, so that the tree is the same with every standard library.
+  /// Equal places are ordered by item, so that the tree does not depend on the standard library.
   std::uint64_t key(std::size_t axis) const {
     return (std::uint64_t{place[axis]} << 32) | static_cast<std::uint32_t>(item);
   }
@@ -73,7 +73,7 @@ BoxTree<D>::BoxTree(std::span<const Vec<D>> points) {
   fit();
 }
 
-/// place_of: the centre of each item's box, or twice that.
+/// place_of(i): the centre of the box of item i, or twice the centre.
 template <int D>
 template <class PlaceOf>
 void BoxTree<D>::build(std::size_t count, const PlaceOf& place_of) {
@@ -97,7 +97,7 @@ void BoxTree<D>::build(std::size_t count, const PlaceOf& place_of) {
   split(entries, {Vec<D>::Zero(), (all.size() * cells).eval()}, 0);
 }
 
-/// places: a box around those of the entries.
+/// places: a box around the places of the entries.
 template <int D>
 void BoxTree<D>::split(std::span<Entry> entries, const Box<D>& places, int level) {
   if (level == depth_) {
@@ -127,7 +127,7 @@ void BoxTree<D>::refit(std::span<const Box<D>> boxes) {
   fit();
 }
 
-/// Boxes of the nodes, from those of the items.
+/// Computes the boxes of the nodes from those of the items.
 template <int D>
 void BoxTree<D>::fit() {
   std::vector<Spot> open;
@@ -177,14 +177,14 @@ void BoxTree<D>::search(const Spot& spot, const Measure& measure, Nearest& best)
   search(swap ? first : second, measure, best);
 }
 
-/// Distances as the caller gives them.
+/// Distances by the function of the caller.
 template <int D>
 struct BoxTree<D>::ByCaller {
   const BoxTree& tree;
   const Vec<D>& point;
   const Distance& distance;
 
-  /// Of a length that may be the square root of a square; no less.
+  /// Not less than the square of which the length may be the rounded root.
   static double square(double length) { return length * length * (1 + 4 * epsilon); }
   double of_item(Index place, double best) const {
     if (tree.box(place).squared_distance(point) > square(best)) return infinity;
@@ -192,7 +192,7 @@ struct BoxTree<D>::ByCaller {
   }
 };
 
-/// Squares of the distances of the boxes.
+/// Squared distances of the boxes.
 template <int D>
 template <bool points>
 struct BoxTree<D>::ByPlace {

@@ -5,8 +5,9 @@
 #include "core/error.h"
 #include "core/layers/layer_control.h"
 #include "core/layers/layer_detection.h"
-#include "core/layers/layer_fit.h"
 #include "core/layers/layer_insertion.h"
+#include "core/layers/layer_plan.h"
+#include "core/layers/layer_stack.h"
 #include "core/quality/quality.h"
 #include "core/strategy/run_sequence.h"
 #include "core/strategy/smooth_run.h"
@@ -85,7 +86,7 @@ LayerInsertion make_room(const LayerRequest& request, const MeshState& state, Ru
     }
     std::vector<std::size_t> all(plan.columns.size());
     for (std::size_t c = 0; c < all.size(); ++c) all[c] = c;
-    take_room(plan, all, 0.95 * reached, LayerLimit::room, options, state.mesh.coordinates);
+    reduce_room(plan, all, 0.95 * reached, LayerLimit::room, options, state.mesh.coordinates);
   }
   throw NumericError("the elements outside cannot be pushed away to make room for the layers");
 }

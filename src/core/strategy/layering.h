@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/layers/layer_measures.h"
 #include "core/layers/layer_plan.h"
 #include "core/layers/layer_spacing.h"
 #include "core/layers/layer_stack.h"

@@ -4,7 +4,7 @@
 
 #include "core/error.h"
 #include "core/mesh/coordinates.h"
-#include "core/mesh/corner_tetrahedra.h"
+#include "core/mesh/element_type.h"
 #include "core/mesh/surface_faces.h"
 #include "core/options/option.h"
 #include "core/quality/quality.h"
@@ -115,7 +115,7 @@ Spacing spacing_of(const CurveRow& row, const NodeClasses& classes) {
   const bool moves = classes.moves(row.first()) || classes.moves(row.last());
   const bool taken =
       classes[row.first()] == NodeClass::prescribed || classes[row.last()] == NodeClass::prescribed;
-  if (!row.can_follow() || !(moves || taken)) return Spacing::stays;
+  if (!row.can_move() || !(moves || taken)) return Spacing::stays;
   return row.closed() ? Spacing::turns : Spacing::ends;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/curve_row.h"
+#include "core/geometry/curve.h"
 #include "core/mesh/mesh.h"
 #include "core/motion/motion.h"
 #include "core/problem/node_classes.h"

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "core/error.h"
-#include "core/geometry/space_boundary.h"
+#include "core/geometry/boundary_kinds.h"
 #include "core/geometry/surface_features.h"
 #include "core/motion/contact.h"
 #include "core/motion/transfer.h"

@@ -1,7 +1,7 @@
 #include "core/strategy/surface_shape.h"
 
 #include "core/error.h"
-#include "core/geometry/sliding_geometry.h"
+#include "core/geometry/sliding_boundary.h"
 #include "core/mesh/index_sets.h"
 #include "core/search/box_tree.h"
 
@@ -131,7 +131,7 @@ void slide_on_surface(const SurfaceShape& shape, const Coordinates& x, NodeClass
   }
   classes.set_fixed(nodes_to_hold(topology, x, slides));
   classes.set_element_normals(
-      std::make_shared<const ElementNormals>(shape.normals->asking(geometry)));
+      std::make_shared<const ElementNormals>(shape.normals->with_geometry(geometry)));
 }
 
 }  // namespace winslow

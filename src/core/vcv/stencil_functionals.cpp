@@ -8,8 +8,6 @@ namespace winslow {
 
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// A node with two edges (two quadrilaterals that share both) spans no area. It is given the
 /// gradient along its edge line and equal weights: it settles halfway between its neighbours.
 void two_edge_functionals(std::span<NeighbourFunctionals> out) {

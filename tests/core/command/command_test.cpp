@@ -37,7 +37,7 @@ MoveCommand turn(double degrees) {
   return command;
 }
 
-MeshState annulus_state() {
+MeshState plain_annulus_state() {
   return make_state(make_mesh(annulus(24, 16, std::pow(20.0, 1.0 / 16), Cells::triangles)));
 }
 
@@ -225,7 +225,7 @@ TEST_CASE("a warm start changes the way, not the result") {
 
 TEST_CASE("a cache kept over commands, meshes and options changes no bit of the result") {
   SolverCache cache;
-  const MeshState states[] = {hole_state(), annulus_state(), hole_state(Cells::quads)};
+  const MeshState states[] = {hole_state(), plain_annulus_state(), hole_state(Cells::quads)};
   for (int round = 0; round < 2; ++round) {
     for (const MeshState& state : states) {
       for (const std::string& name : general_solver_names()) {
@@ -302,7 +302,7 @@ TEST_CASE("explicit increments reach the mesh that one step reaches") {
 }
 
 TEST_CASE("a winding that cannot be done at once is done in steps, automatically") {
-  const MeshState state = annulus_state();
+  const MeshState state = plain_annulus_state();
   MoveCommand direct = turn(200);
   direct.smooth.formulation = Formulation::pointwise;
   direct.smooth.outer = OuterMethod::picard;

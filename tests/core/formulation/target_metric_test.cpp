@@ -8,7 +8,7 @@
 #include "core/formulation/distortion.h"
 #include "core/formulation/target_shapes.h"
 #include "core/formulation/variational_winslow.h"
-#include "core/mesh/corner_tetrahedra.h"
+#include "core/mesh/element_type.h"
 #include "core/quality/quality.h"
 #include "support/meshes.h"
 #include "support/random.h"

@@ -10,7 +10,7 @@
 
 #include "core/error.h"
 #include "core/formulation/variational_winslow.h"
-#include "core/mesh/corner_tetrahedra.h"
+#include "core/mesh/element_type.h"
 #include "support/formulations.h"
 #include "support/meshes.h"
 #include "support/space_meshes.h"

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "core/geometry/sliding_geometry.h"
+#include "core/geometry/sliding_boundary.h"
 #include "support/surface_meshes.h"
 
 namespace winslow::test {
@@ -42,7 +42,8 @@ TEST_CASE("element normals: elements without a node inside a region keep the one
   const SpacePoints x(mesh.coordinates);
   const auto found = normals.of_elements(mesh.coordinates, 1);
   for (Index e = 0; e < mesh.topology->element_count(); ++e)
-    CHECK((found[at(e)] - area_vector(x, mesh.topology->element(e)).normalized()).norm() < 1e-14);
+    CHECK((found[at(e)] - doubled_area_vector(x, mesh.topology->element(e)).normalized()).norm() <
+          1e-14);
 }
 
 TEST_CASE("remembered feet: the geometry is asked once for each place") {

@@ -2,15 +2,24 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/error.h"
 #include "core/formulation/pointwise_winslow.h"
 #include "core/inspect/element_field.h"
+#include "core/inspect/node_roles.h"
+#include "core/strategy/mesh_state.h"
+#include "core/vcv/sphere/volume_vcvs.h"
 #include "support/formulations.h"
 #include "support/samples.h"
+#include "support/space_meshes.h"
+#include "support/surface_meshes.h"
+#include "support/vcv.h"
 
 using namespace winslow;
 using namespace winslow::test;
@@ -207,4 +216,175 @@ TEST_CASE("fields do not depend on the number of threads, and have names to be f
                        "smallest_weight, residual, first_height, first_height_ratio, "
                        "first_edge_tilt, growth, size_ratio, layer, spacing_error",
                        UsageError);
+}
+
+namespace winslow::test {
+
+TEST_CASE("a star of a plane surface, laid flat, is that of the plane") {
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.7, Vec3(2, 1, -2).normalized()).toRotationMatrix();
+  for (const Cells cells : {Cells::triangles, Cells::quads}) {
+    Random random(3);
+    const MeshData data = square(6, cells);
+    Mesh plane = make_mesh(data);
+    perturb(plane, random, 0.3);
+    Mesh mesh = make_mesh(lifted(data, [](const Vec2& p) { return Vec3(p.x(), p.y(), 0); }));
+    for (Index i = 0; i < plane.coordinates.size(); ++i) {
+      const Vec2 p = plane.coordinates.xy(i);
+      mesh.coordinates.set_xyz(i, turn * Vec3(p.x(), p.y(), 0) + Vec3(3, 4, 5));
+    }
+    const VirtualControlVolumes flat(plane.topology), lying(mesh.topology);
+    for (const Index node : plane.topology->interior_nodes()) {
+      const NodalView a = inspect_node(flat, plane.coordinates, node);
+      const NodalView b = inspect_node(lying, mesh.coordinates, node);
+      REQUIRE(a.neighbours == b.neighbours);
+      CHECK(b.kappa == doctest::Approx(a.kappa));
+      CHECK(b.smallest_weight == doctest::Approx(a.smallest_weight));
+      CHECK(b.scaled_residual == doctest::Approx(a.scaled_residual));
+      for (std::size_t k = 0; k < a.neighbours.size(); ++k) {
+        CHECK(b.physical.angles[k] == doctest::Approx(a.physical.angles[k]));
+        CHECK(b.physical.lengths[k] == doctest::Approx(a.physical.lengths[k]));
+        CHECK(b.weights[k] == doctest::Approx(a.weights[k]));
+      }
+    }
+  }
+}
+
+TEST_CASE("the angles of a tip are scaled to 360 degrees, its edges keep their lengths") {
+  // Node 4 of an octahedron has four angles of 60 degrees.
+  const Mesh mesh = make_mesh(octasphere(1));
+  const VirtualControlVolumes vcv(mesh.topology);
+  const NodalView view = inspect_node(vcv, mesh.coordinates, 4);
+  REQUIRE(view.physical.angles.size() == 4);
+  for (const double angle : view.physical.angles) CHECK(degrees(angle) == doctest::Approx(90));
+  for (const double length : view.physical.lengths)
+    CHECK(length == doctest::Approx(std::sqrt(2.0)));
+  CHECK(view.kappa == doctest::Approx(1));
+  CHECK(view.scaled_residual == doctest::Approx(0).epsilon(1e-12));
+}
+
+TEST_CASE("roles of a surface: inside of faces nodes slide, edges stay or slide, corners stay") {
+  // The boundary of a cube of 4 by 4 by 4 cells.
+  const Mesh box = make_mesh(skin(cube(4, Volumes::hexahedra)));
+  const MeshState state = make_state(box);
+  SlideOptions slide;
+  const auto count = [](const NodeRoles& roles, NodeRole role) {
+    CHECK(roles.counts[static_cast<std::size_t>(role)] == std::ranges::count(roles.roles, role));
+    return roles.counts[static_cast<std::size_t>(role)];
+  };
+  const NodeRoles still = node_roles(state, slide, {});
+  CHECK(still.fault.empty());
+  CHECK(count(still, NodeRole::on_surface) == 6 * 9);
+  CHECK(count(still, NodeRole::corner) == 8 + 12 * 3);
+  CHECK(still.features.size() == 12 * 4);
+  CHECK(std::ranges::count(still.found, "plane") == 6);
+  slide.features = true;
+  const NodeRoles roles = node_roles(state, slide, {});
+  CHECK(count(roles, NodeRole::on_curve) == 12 * 3);
+  CHECK(count(roles, NodeRole::corner) == 8);
+  // At 100 degrees nothing is sharp.
+  slide.feature_angle = 100;
+  const NodeRoles smooth = node_roles(state, slide, {});
+  CHECK(smooth.features.empty());
+  CHECK(smooth.fault.empty());
+}
+
+}  // namespace winslow::test
+
+namespace {
+
+/// The node's own star as its VCV, turned and stretched by a linear map.
+NodeVcv mapped_star(const Mesh& mesh, Index node, const Eigen::Matrix3d& map) {
+  NodeVcv vcv = make_node_vcv(*mesh.topology, mesh.coordinates, node, {});
+  const auto neighbours = mesh.topology->neighbours(node);
+  for (std::size_t k = 0; k < neighbours.size(); ++k) {
+    const Vec3 p = map * (mesh.coordinates.xyz(neighbours[k]) - mesh.coordinates.xyz(node)).eval();
+    vcv.stencil.directions[k] = p.normalized();
+    vcv.stencil.lengths[k] = p.norm();
+  }
+  return vcv;
+}
+
+}  // namespace
+
+TEST_CASE("an inspection shows the weights, the gradient and the residual of the pointwise form") {
+  const Mesh mesh = shaken_box(4, 0.2, 11);
+  VolumeVcvOptions options;
+  options.angles = VcvAngles::adjusted;
+  options.length_power = 0.4;
+  const VolumeVcvs vcvs(mesh.topology, mesh.coordinates, options);
+  const auto classes = std::make_shared<const NodeClasses>(mesh.topology);
+  const PointwiseForm<3> form(vcvs, classes, 1);
+  std::vector<double> residual(form.unknowns());
+  form.residual(mesh.coordinates, residual);
+  const auto free = mesh.topology->interior_nodes();
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const VolumeNodalView view =
+        inspect_node(*mesh.topology, mesh.coordinates,
+                     make_node_vcv(*mesh.topology, mesh.coordinates, free[i], options));
+    std::vector<double> weights(view.neighbours.size());
+    form.weights(mesh.coordinates, free[i], weights);
+    for (std::size_t k = 0; k < weights.size(); ++k)
+      CHECK(view.weights[k] == doctest::Approx(weights[k]).epsilon(1e-5));
+    const Vec3 expected(residual.data() + 3 * i);
+    CHECK((view.residual - expected).norm() < 1e-6 * (1 + expected.norm()));
+    // The VCV is turned in the picture: so is the tensor.
+    const Eigen::Matrix3d& turn = view.turned_by;
+    const Eigen::Matrix3d tensor =
+        turn * form.coefficients(mesh.coordinates, free[i]) * turn.transpose();
+    CHECK((tensor - view.tensor).norm() < 1e-6);
+    double sum = 0;
+    for (const double angle : view.vcv.solid_angles) sum += angle;
+    CHECK(sum == doctest::Approx(4 * pi));
+  }
+}
+
+TEST_CASE(
+    "over a linear image of the star the Jacobian is the inverse map, and the residual zero") {
+  const Mesh mesh = shaken_box(3, 0.2, 12);
+  const Index node = mesh.topology->interior_nodes().front();
+  Eigen::Matrix3d map;
+  map << 2, 0.3, 0, 0, 0.7, 0.1, 0.2, 0, 1.3;
+  const VolumeNodalView view =
+      inspect_node(*mesh.topology, mesh.coordinates, mapped_star(mesh, node, map));
+  const Eigen::Matrix3d back = view.gradient * view.turned_by * map;
+  CHECK((back - Eigen::Matrix3d::Identity()).norm() < 1e-12);
+  CHECK(view.scaled_residual < 1e-12);
+  CHECK(view.singular_values.prod() == doctest::Approx(1 / map.determinant()));
+  CHECK(view.kappa == doctest::Approx(view.singular_values[0] / view.singular_values[2]));
+  // u maps to the half axes: u diag(s)^2 u^T = G G^T.
+  const Eigen::Matrix3d squares =
+      view.u * view.singular_values.cwiseAbs2().asDiagonal() * view.u.transpose();
+  CHECK((squares - view.gradient * view.gradient.transpose()).norm() < 1e-12);
+}
+
+TEST_CASE("a VCV that is a turned star lies over the star again") {
+  const Mesh mesh = shaken_box(3, 0.2, 13);
+  for (const Index node : mesh.topology->interior_nodes()) {
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(2.2, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
+    const VolumeNodalView view =
+        inspect_node(*mesh.topology, mesh.coordinates, mapped_star(mesh, node, turn));
+    for (std::size_t k = 0; k < view.neighbours.size(); ++k)
+      CHECK((view.vcv.points[k] - view.physical.points[k]).norm() < 1e-12);
+    for (std::size_t t = 0; t < view.targets.size(); ++t)
+      CHECK(view.vcv.solid_angles[t] == doctest::Approx(view.physical.solid_angles[t]));
+    CHECK(view.kappa == doctest::Approx(1));
+  }
+}
+
+TEST_CASE("a fitted rotation never mirrors") {
+  const std::vector<Vec3> from{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<Vec3> to{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+  const Eigen::Matrix3d r = fitted_rotation(from, to);
+  CHECK(r.determinant() == doctest::Approx(1));
+  CHECK((r * r.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-12);
+}
+
+TEST_CASE("why a node of a volume mesh has no VCV is said") {
+  const Mesh mesh = make_mesh(cube(2, Volumes::tetrahedra));
+  CHECK_THROWS_WITH_AS(require_inspectable(*mesh.topology, 0),
+                       "node 0 lies on the boundary or on a marker: it has no VCV", UsageError);
+  CHECK_THROWS_AS(require_inspectable(*mesh.topology, 1000), UsageError);
+  CHECK_NOTHROW(require_inspectable(*mesh.topology, mesh.topology->interior_nodes().front()));
 }

@@ -10,8 +10,8 @@
 #include "core/command/history.h"
 #include "core/error.h"
 #include "core/layers/layer_detection.h"
-#include "core/layers/layer_measures.h"
 #include "core/layers/layer_plan.h"
+#include "core/layers/layer_stack.h"
 #include "support/meshes.h"
 
 using namespace winslow;

@@ -44,7 +44,7 @@ TEST_CASE("metrics of the best elements are at their best, inverted ones beyond 
     CHECK((info.field.larger_is_better ? worst < info.field.threshold
                                        : worst > info.field.threshold));
     if (!info.of_corner) continue;
-    for (const Corner& corner : good) CHECK(info.of_corner(corner) == doctest::Approx(best));
+    for (const Corner& corner : good) CHECK((corner.*info.of_corner)() == doctest::Approx(best));
   }
   CHECK(metric_info(Metric::aspect_ratio).of_element(good) == doctest::Approx(1));
   CHECK(metric_info(Metric::area).of_element(good) == doctest::Approx(std::sqrt(0.75) / 2));

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/mesh/corner_tetrahedra.h"
+#include "core/mesh/element_type.h"
 #include "core/quality/quality.h"
 #include "core/quality/validity.h"
 #include "core/quality/volume_element.h"

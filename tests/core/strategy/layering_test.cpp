@@ -6,7 +6,7 @@
 
 #include "core/command/command.h"
 #include "core/error.h"
-#include "core/layers/layer_measures.h"
+#include "core/layers/layer_stack.h"
 #include "core/quality/quality.h"
 #include "support/meshes.h"
 

@@ -81,7 +81,7 @@ TEST_CASE("the plane of a star is tangent, and the flat star lies over the one i
     CHECK(std::abs(plane.u.norm() - 1) < 1e-14);
     CHECK(plane.u.cross(plane.v).dot(x[node]) > 0.98);  // outwards, as the elements
     for (std::size_t k = 0; k < view.neighbours.size(); ++k) {
-      const Vec3 there = plane.at(view.physical.points[k]);
+      const Vec3 there = plane.point(view.physical.points[k]);
       CHECK((there - x[view.neighbours[k]]).norm() < 0.25 * view.physical.lengths[k]);
     }
   }

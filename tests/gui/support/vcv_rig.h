@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/inspect/nodal_view.h"
-#include "core/inspect/space/volume_nodal_view.h"
 #include "core/quality/quality.h"
 #include "gui/support/rig.h"
 #include "support/space_meshes.h"

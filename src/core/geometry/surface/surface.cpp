@@ -4,13 +4,15 @@
 #include <Eigen/Geometry>
 #include <utility>
 
+#include "core/options/option.h"
 #include "core/parallel/parallel_for.h"
+#include "core/search/box_tree.h"
 
 namespace winslow {
 
 namespace {
 
-/// A point, and a function with its derivatives by two of the barycentric coordinates, l and m.
+/// A function and its derivatives by two of the barycentric coordinates, l and m.
 struct Jet {
   double f = 0, l = 0, m = 0, ll = 0, lm = 0, mm = 0;
 };
@@ -36,10 +38,11 @@ struct PointJet {
   }
 };
 
-/// What vertex k has a part in and the vertices before it have none: with l, m and n the
-/// barycentric coordinates of k and of the two after it, l^4, the inner points of the edge from k
-/// to the next (4 l^3 m, 6 l^2 m^2, 4 l m^3), and those of the inner point at k, 12 l^2 m n / (m +
-/// n) times m and n. The latter are zero, with their first derivatives, where the divisor is.
+/// The terms of the patch that belong to vertex k. With l, m and n the barycentric coordinates of k
+/// and of the two vertices after it, the weights are l^4 for the vertex, 4 l^3 m, 6 l^2 m^2 and 4 l
+/// m^3 for the inner points of the edge from k to the next vertex, and 12 l^2 m n / (m + n) times m
+/// and n for the two inner points at k. The last two are zero, with their first derivatives, where
+/// m + n = 0.
 PointJet part_of_vertex(const std::array<Vec3, 18>& points, std::size_t k, double l, double m,
                         double n) {
   const double ll = l * l, lm = l * m, mm = m * m;
@@ -111,13 +114,13 @@ SurfacePatch::SurfacePatch(const std::array<Vec3, 3>& vertices, const std::array
     const std::size_t f = (e + 1) % 3;
     const auto& [v, q] = edges[e];
     const Vec3 w0 = v[1] - v[0], w1 = v[2] - v[1], w2 = v[3] - v[2];
-    // Next to the ends of the edge, on the two others.
+    // The Bezier points next to the ends of the edge on the other two edges.
     const Vec3 &beside_start = edges[(e + 2) % 3].quartic[3], &beside_end = edges[f].quartic[1];
     const Vec3 d0 = beside_start - 0.5 * (q[0] + q[1]), d3 = beside_end - 0.5 * (q[3] + q[4]);
     const Vec3 a0 = normals[e].cross(w0).normalized(), a2 = normals[f].cross(w2).normalized();
     const Vec3 a1 = (a0 + a2).normalized();
-    // Along the edge, the derivative across is a linear combination of its tangent and of a normal
-    // to that which both triangles have in common; the factors are linear.
+    // Along the edge, the derivative across it is a combination, with linear factors, of its
+    // tangent and of a normal to it that is the same for both triangles.
     const double l0 = d0.dot(w0) / w0.squaredNorm(), l1 = d3.dot(w2) / w2.squaredNorm();
     const double m0 = d0.dot(a0), m1 = d3.dot(a2);
     points_[inner_place(e)] =
@@ -155,8 +158,8 @@ SurfacePatch::Derivatives SurfacePatch::derivatives(double u, double v) const {
 
 namespace {
 
-/// A walk over the patches to the place whose connection with a point is at right angles to the
-/// surface, by Newton's method on half the squared distance.
+/// Finds the nearest point of the surface, by Newton's method on half the squared distance from
+/// patch to patch.
 class Descent {
  public:
   Descent(const Triangulation& surface, std::span<const std::array<Index, 3>> neighbours,
@@ -166,7 +169,7 @@ class Descent {
   TrianglePlace run(TrianglePlace place) {
     constexpr int most_steps = 50, most_turns = 12;
     constexpr double small = 1e-14;
-    int turns = 0;  // from triangle to triangle without a step
+    int turns = 0;  // changes of the triangle without a step
     for (int i = 0; i < most_steps && turns < most_turns; ++i) {
       Vec3 step = newton_step(place, -1);
       const int blocked = blocked_by(place, step);
@@ -187,16 +190,17 @@ class Descent {
   }
 
  private:
-  /// Of the barycentric coordinates. fixed: one of them that stays; -1: none.
+  /// A step of the barycentric coordinates. fixed: a coordinate that stays; -1: none.
   Vec3 newton_step(const TrianglePlace& place, int fixed) const {
-    const auto d = patches_[at(place.triangle)].derivatives(place.at[0], place.at[1]);
+    const auto d =
+        patches_[at(place.triangle)].derivatives(place.barycentric[0], place.barycentric[1]);
     const Vec3 off = d.r - target_;
     const Vec2 gradient(d.u.dot(off), d.v.dot(off));
     Eigen::Matrix2d metric, hessian;
     metric << d.u.dot(d.u), d.u.dot(d.v), d.u.dot(d.v), d.v.dot(d.v);
     hessian << d.uu.dot(off), d.uv.dot(off), d.uv.dot(off), d.vv.dot(off);
     hessian += metric;
-    // Away from the surface there may be nothing to go down to: the metric alone always leads down.
+    // Far from the surface the Hessian may be indefinite; the metric always gives a descent.
     if (!(hessian.determinant() > 0.1 * metric.determinant() && hessian.trace() > 0))
       hessian = metric;
     if (fixed < 0) {
@@ -210,31 +214,31 @@ class Descent {
     return curvature > 0 ? Vec3(-(e.dot(gradient) / curvature) * edge) : Vec3(0, 0, 0);
   }
 
-  /// The coordinate that is zero and that a step would make negative; of several the one that falls
-  /// fastest. -1: none.
+  /// The coordinate that is zero and would become negative, of several the fastest one; -1: none.
   static int blocked_by(const TrianglePlace& place, const Vec3& step) {
     int blocked = -1;
     for (int k = 0; k < 3; ++k)
-      if (place.at[k] <= 0 && step[k] < 0 && (blocked < 0 || step[k] < step[blocked])) blocked = k;
+      if (place.barycentric[k] <= 0 && step[k] < 0 && (blocked < 0 || step[k] < step[blocked]))
+        blocked = k;
     return blocked;
   }
 
-  /// As far as the triangle goes.
+  /// Makes a step, but not beyond the triangle.
   static void advance(TrianglePlace& place, const Vec3& step) {
     double share = 1;
     int hit = -1;
     for (int k = 0; k < 3; ++k)
-      if (place.at[k] + share * step[k] < 0) {
-        share = place.at[k] / -step[k];
+      if (place.barycentric[k] + share * step[k] < 0) {
+        share = place.barycentric[k] / -step[k];
         hit = k;
       }
-    place.at += share * step;
-    if (hit >= 0) place.at[hit] = 0;
-    for (int k = 0; k < 3; ++k) place.at[k] = std::max(0.0, place.at[k]);
-    place.at /= place.at.sum();
+    place.barycentric += share * step;
+    if (hit >= 0) place.barycentric[hit] = 0;
+    for (int k = 0; k < 3; ++k) place.barycentric[k] = std::max(0.0, place.barycentric[k]);
+    place.barycentric /= place.barycentric.sum();
   }
 
-  /// To the triangle on the other side of the edge on which a coordinate is zero, if there is one.
+  /// Changes to the triangle beyond the edge on which a coordinate is zero. False if there is none.
   bool cross(TrianglePlace& place, int zero) const {
     const auto& from = surface_.triangles[at(place.triangle)];
     const auto edge = static_cast<std::size_t>((zero + 1) % 3);
@@ -246,7 +250,7 @@ class Descent {
       if (k == zero) continue;
       for (int j = 0; j < 3; ++j)
         if (to[static_cast<std::size_t>(j)] == from[static_cast<std::size_t>(k)])
-          there[j] = place.at[k];
+          there[j] = place.barycentric[k];
     }
     place = {next, there};
     return true;
@@ -295,11 +299,218 @@ SurfacePoint SmoothSurface::over(Index triangle, const Vec3& place) const {
 
 SurfacePoint SmoothSurface::nearest(const Vec3& point) const {
   const TrianglePlace place = nearest_place(point);
-  return over(place.triangle, place.at);
+  return over(place.triangle, place.barycentric);
 }
 
 std::string SmoothSurface::description() const {
   return "smooth surface through " + std::to_string(surface_.points.size()) + " nodes";
+}
+
+namespace {
+
+class Plane final : public Surface {
+ public:
+  Plane(const Vec3& origin, const Vec3& normal) : origin_(origin), normal_(normal) {}
+  SurfacePoint nearest(const Vec3& p) const override {
+    SurfacePoint out;
+    out.point = p - normal_.dot(p - origin_) * normal_;
+    out.normal = normal_;
+    return out;
+  }
+  bool goes_on() const override { return true; }
+  std::string description() const override { return "plane"; }
+
+ private:
+  Vec3 origin_, normal_;
+};
+
+class Sphere final : public Surface {
+ public:
+  Sphere(const Vec3& centre, double radius) : centre_(centre), radius_(radius) {}
+  SurfacePoint nearest(const Vec3& p) const override {
+    const Vec3 arm = p - centre_;
+    const double length = arm.norm();
+    SurfacePoint out;
+    out.normal = length > 0 ? Vec3(arm / length) : Vec3(0, 0, 1);
+    out.point = centre_ + radius_ * out.normal;
+    out.form = -(Eigen::Matrix3d::Identity() - out.normal * out.normal.transpose()) / radius_;
+    return out;
+  }
+  bool goes_on() const override { return true; }
+  std::string description() const override { return "sphere of radius " + number_text(radius_); }
+
+ private:
+  Vec3 centre_;
+  double radius_;
+};
+
+class Cylinder final : public Surface {
+ public:
+  Cylinder(const Vec3& centre, const Vec3& axis, double radius)
+      : centre_(centre), axis_(axis), radius_(radius) {}
+  SurfacePoint nearest(const Vec3& p) const override {
+    const double height = axis_.dot(p - centre_);
+    const Vec3 foot = centre_ + height * axis_, arm = p - foot;
+    const double length = arm.norm();
+    SurfacePoint out;
+    out.normal = length > 0 ? Vec3(arm / length) : axis_.unitOrthogonal();
+    out.point = foot + radius_ * out.normal;
+    const Vec3 around = axis_.cross(out.normal);
+    out.form = -(around * around.transpose()) / radius_;
+    return out;
+  }
+  bool goes_on() const override { return true; }
+  std::string description() const override { return "cylinder of radius " + number_text(radius_); }
+
+ private:
+  Vec3 centre_, axis_;
+  double radius_;
+};
+
+Vec3 area_of(const Triangulation& surface, const std::array<Index, 3>& t) {
+  const Vec3& a = surface.points[at(t[0])];
+  return 0.5 * (surface.points[at(t[1])] - a).cross(surface.points[at(t[2])] - a);
+}
+
+bool all_near(const Triangulation& surface, const Surface& candidate, double tolerance) {
+  for (const Vec3& p : surface.points)
+    if (!((candidate.nearest(p).point - p).norm() <= tolerance)) return false;
+  return true;
+}
+
+/// Whether all triangles face along the normals of the candidate, or all against them.
+bool faces_along(const Triangulation& surface, const Surface& candidate) {
+  constexpr double least_cosine = 0.7;
+  int side = 0;
+  for (const auto& t : surface.triangles) {
+    const Vec3 area = area_of(surface, t);
+    const Vec3 centre =
+        (surface.points[at(t[0])] + surface.points[at(t[1])] + surface.points[at(t[2])]) / 3;
+    const double cosine = area.dot(candidate.nearest(centre).normal);
+    if (!(std::abs(cosine) >= least_cosine * area.norm())) return false;
+    const int here = cosine > 0 ? 1 : -1;
+    if (side != 0 && here != side) return false;
+    side = here;
+  }
+  return true;
+}
+
+std::unique_ptr<const Surface> plane_of(const Triangulation& surface) {
+  Vec3 normal(0, 0, 0);
+  for (const auto& t : surface.triangles) normal += area_of(surface, t);
+  if (normal.norm() == 0) return nullptr;
+  return std::make_unique<Plane>(surface.points.front(), normal.normalized());
+}
+
+/// Fits |p|^2 = 2 c . p + (r^2 - c^2) by least squares, relative to the mean of the points.
+std::unique_ptr<const Surface> sphere_of(const Triangulation& surface, const Vec3& mean,
+                                         double extent) {
+  const auto rows = static_cast<Eigen::Index>(surface.points.size());
+  Eigen::Matrix<double, Eigen::Dynamic, 4> a(rows, 4);
+  Eigen::VectorXd b(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const Vec3 p = (surface.points[static_cast<std::size_t>(i)] - mean) / extent;
+    a.row(i) << 2 * p.transpose(), 1;
+    b[i] = p.squaredNorm();
+  }
+  const Eigen::Vector4d s = a.colPivHouseholderQr().solve(b);
+  const double radius = std::sqrt(s[3] + s.head<3>().squaredNorm());
+  if (!std::isfinite(radius)) return nullptr;
+  return std::make_unique<Sphere>(mean + extent * s.head<3>(), extent * radius);
+}
+
+struct CylinderFit {
+  Vec3 centre, axis;
+  double radius;
+};
+
+/// A Gauss-Newton step for the sum of the squares of (distance from the axis - radius) over all
+/// points.
+std::optional<CylinderFit> improved(const Triangulation& surface, const CylinderFit& fit) {
+  const Vec3 first = fit.axis.unitOrthogonal(), second = fit.axis.cross(first);
+  Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
+  Eigen::Matrix<double, 5, 1> rhs = Eigen::Matrix<double, 5, 1>::Zero();
+  for (const Vec3& p : surface.points) {
+    const Vec3 arm = p - fit.centre;
+    const double height = fit.axis.dot(arm);
+    const Vec3 off = arm - height * fit.axis;
+    const double length = off.norm();
+    if (length == 0) return std::nullopt;
+    const double x = first.dot(off) / length, y = second.dot(off) / length;
+    const double h = height / fit.radius;
+    Eigen::Matrix<double, 5, 1> row;  // centre along both, axis turned to both, radius
+    row << -x, -y, -h * x, -h * y, -1;
+    normal += row * row.transpose();
+    rhs -= row * (length - fit.radius);
+  }
+  const Eigen::Matrix<double, 5, 1> s = normal.ldlt().solve(rhs);
+  if (!s.allFinite()) return std::nullopt;
+  return CylinderFit{
+      fit.centre + s[0] * first + s[1] * second,
+      (fit.axis + (s[2] / fit.radius) * first + (s[3] / fit.radius) * second).normalized(),
+      fit.radius + s[4]};
+}
+
+/// Starts with the axis that is most nearly perpendicular to the normals of the triangles.
+std::unique_ptr<const Surface> cylinder_of(const Triangulation& surface, const Vec3& mean) {
+  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
+  for (const auto& t : surface.triangles) {
+    const Vec3 area = area_of(surface, t);
+    if (area.norm() > 0) normals += area * area.transpose() / area.norm();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(normals);
+  CylinderFit fit{mean, eigen.eigenvectors().col(0), 0};
+  // The position of the axis: a circle fit in the plane perpendicular to it.
+  const Vec3 first = fit.axis.unitOrthogonal(), second = fit.axis.cross(first);
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Vec3 b(0, 0, 0);
+  double scale = 0;
+  for (const Vec3& p : surface.points) scale = std::max(scale, (p - mean).norm());
+  for (const Vec3& p : surface.points) {
+    const Vec3 row(2 * first.dot(p - mean) / scale, 2 * second.dot(p - mean) / scale, 1);
+    a += row * row.transpose();
+    b += row * (row.head<2>().squaredNorm() / 4);
+  }
+  const Vec3 s = a.ldlt().solve(b);
+  fit.centre += scale * (s[0] * first + s[1] * second);
+  fit.radius = scale * std::sqrt(s[2] + s.head<2>().squaredNorm());
+  constexpr int most_steps = 20;
+  for (int i = 0; i < most_steps; ++i) {
+    if (!(std::isfinite(fit.radius) && fit.radius > 0)) return nullptr;
+    const auto next = improved(surface, fit);
+    if (!next) return nullptr;
+    const bool done = std::abs(next->radius - fit.radius) <= 1e-15 * fit.radius &&
+                      (next->axis - fit.axis).norm() <= 1e-15;
+    fit = *next;
+    if (done) break;
+  }
+  return std::make_unique<Cylinder>(fit.centre, fit.axis, fit.radius);
+}
+
+}  // namespace
+
+std::unique_ptr<const Surface> recognised_surface(const Triangulation& surface, double tolerance) {
+  if (surface.triangles.empty()) return nullptr;
+  const Vec3 mean = mean_of<3>(surface.points);
+  const double extent = Box<3>::around(surface.points).size().norm();
+  const double allowed = tolerance * extent;
+  auto plane = plane_of(surface);
+  if (plane && all_near(surface, *plane, allowed)) return plane;
+  constexpr std::size_t least_points = 10;
+  if (surface.points.size() < least_points) return nullptr;
+  const auto fits = [&](const std::unique_ptr<const Surface>& candidate) {
+    return candidate && all_near(surface, *candidate, allowed) && faces_along(surface, *candidate);
+  };
+  if (auto sphere = sphere_of(surface, mean, extent); fits(sphere)) return sphere;
+  if (auto cylinder = cylinder_of(surface, mean); fits(cylinder)) return cylinder;
+  return nullptr;
+}
+
+std::unique_ptr<const Surface> surface_through(Triangulation surface,
+                                               std::span<const Vec3> tangents) {
+  if (auto recognised = recognised_surface(surface)) return recognised;
+  const std::vector<Vec3> normals = point_normals(surface, tangents);
+  return std::make_unique<SmoothSurface>(std::move(surface), normals);
 }
 
 }  // namespace winslow

@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
-#include <tuple>
 
 #include "core/mesh/index_sets.h"
 
@@ -10,27 +9,16 @@ namespace winslow {
 
 namespace {
 
-struct TriangleSide {
-  Index low, high, triangle;
-  int corner;
-};
-
 /// The triangles around each point.
 CompressedRows triangles_at(const Triangulation& surface) {
-  CompressedRows rows;
-  rows.offsets.assign(surface.points.size() + 1, 0);
-  for (const auto& triangle : surface.triangles)
-    for (const Index p : triangle) ++rows.offsets[at(p) + 1];
-  for (std::size_t k = 1; k < rows.offsets.size(); ++k) rows.offsets[k] += rows.offsets[k - 1];
-  rows.values.resize(3 * surface.triangles.size());
-  std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (const Index p : surface.triangles[t])
-      rows.values[at(next[at(p)]++)] = static_cast<Index>(t);
-  return rows;
+  return rows_of(static_cast<Index>(surface.points.size()), [&](const auto& add) {
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+      for (const Index p : surface.triangles[t]) add(p, static_cast<Index>(t));
+  });
 }
 
-/// Points of the triangles around, and of the triangles around these; not the point itself.
+/// Points of the triangles around a point and of the triangles around these points, without the
+/// point itself.
 std::vector<Index> points_around(const Triangulation& surface, const CompressedRows& star,
                                  Index point) {
   std::vector<Index> ring, out;
@@ -40,13 +28,13 @@ std::vector<Index> points_around(const Triangulation& surface, const CompressedR
     for (const Index t : star[q])
       for (const Index p : surface.triangles[at(t)])
         if (p != point) out.push_back(p);
-  std::ranges::sort(out);
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sort_unique(out);
   return out;
 }
 
-/// Of z = a x + b y + c x^2 + d x y + e y^2 over the plane of the normal that is known roughly,
-/// through the points around by least squares. That one if they do not say.
+/// Normal of the paraboloid z = a x + b y + c x^2 + d x y + e y^2 through the points around, by
+/// least squares. z is along the rough normal, which is returned if the points do not determine a
+/// paraboloid.
 Vec3 paraboloid_normal(const Triangulation& surface, const CompressedRows& star, Index point,
                        const Vec3& rough) {
   const std::vector<Index> around = points_around(surface, star, point);
@@ -76,37 +64,38 @@ Vec3 paraboloid_normal(const Triangulation& surface, const CompressedRows& star,
 
 }  // namespace
 
-std::array<std::array<std::size_t, 3>, 2> halves_of(const SpacePoints& x,
-                                                    std::span<const Index> q) {
-  const bool first = (x[q[2]] - x[q[0]]).squaredNorm() <= (x[q[3]] - x[q[1]]).squaredNorm();
-  if (first) return {{{0, 1, 2}, {0, 2, 3}}};
-  return {{{0, 1, 3}, {1, 2, 3}}};
+std::span<const std::array<std::size_t, 3>> triangles_of(const SpacePoints& x,
+                                                         std::span<const Index> f) {
+  using Corners = std::array<std::size_t, 3>;
+  static constexpr std::array<Corners, 2> first{{{0, 1, 2}, {0, 2, 3}}},
+      second{{{0, 1, 3}, {1, 2, 3}}};
+  if (f.size() == 3) return std::span(first).first(1);
+  const bool shorter = (x[f[2]] - x[f[0]]).squaredNorm() <= (x[f[3]] - x[f[1]]).squaredNorm();
+  return shorter ? first : second;
 }
 
 std::vector<std::array<Index, 3>> triangle_neighbours(const Triangulation& surface) {
-  std::vector<TriangleSide> sides;
+  using Side = std::array<Index, 4>;  // lower point, higher point, triangle, corner
+  std::vector<Side> sides;
   sides.reserve(3 * surface.triangles.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& triangle = surface.triangles[t];
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(
-          {triangle[static_cast<std::size_t>(k)], triangle[static_cast<std::size_t>((k + 1) % 3)]});
-      sides.push_back({low, high, static_cast<Index>(t), k});
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax({triangle[k], triangle[(k + 1) % 3]});
+      sides.push_back({low, high, static_cast<Index>(t), static_cast<Index>(k)});
     }
   }
-  std::ranges::sort(sides, [](const TriangleSide& a, const TriangleSide& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
+  std::ranges::sort(sides);
   std::vector<std::array<Index, 3>> out(surface.triangles.size(), {-1, -1, -1});
   const auto same = [&](std::size_t a, std::size_t b) {
-    return sides[a].low == sides[b].low && sides[a].high == sides[b].high;
+    return sides[a][0] == sides[b][0] && sides[a][1] == sides[b][1];
   };
   for (std::size_t k = 0, end = 0; k < sides.size(); k = end) {
     for (end = k + 1; end < sides.size() && same(k, end);) ++end;
     if (end - k != 2) continue;
-    const TriangleSide &a = sides[k], &b = sides[k + 1];
-    out[at(a.triangle)][static_cast<std::size_t>(a.corner)] = b.triangle;
-    out[at(b.triangle)][static_cast<std::size_t>(b.corner)] = a.triangle;
+    const Side &a = sides[k], &b = sides[k + 1];
+    out[at(a[2])][at(a[3])] = b[2];
+    out[at(b[2])][at(b[3])] = a[2];
   }
   return out;
 }
@@ -141,7 +130,7 @@ std::vector<Vec3> point_normals(const Triangulation& surface, std::span<const Ve
 
 namespace {
 
-/// Barycentric coordinates of the place of a flat triangle that is nearest to a point (C. Ericson,
+/// Barycentric coordinates of the point of a flat triangle nearest to a point (C. Ericson,
 /// "Real-Time Collision Detection", 5.1.5).
 Vec3 nearest_in_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
@@ -174,17 +163,18 @@ Vec3 nearest_in(const Triangulation& surface, Index triangle, const Vec3& point)
 
 Vec3 point_at(const Triangulation& surface, const TrianglePlace& place) {
   const auto& [a, b, c] = surface.triangles[at(place.triangle)];
-  return place.at[0] * surface.points[at(a)] + place.at[1] * surface.points[at(b)] +
-         place.at[2] * surface.points[at(c)];
+  return place.barycentric[0] * surface.points[at(a)] +
+         place.barycentric[1] * surface.points[at(b)] +
+         place.barycentric[2] * surface.points[at(c)];
 }
 
 TriangleTree::TriangleTree(const Triangulation& surface) {
   std::vector<Box<3>> boxes;
   boxes.reserve(surface.triangles.size());
   for (const auto& triangle : surface.triangles) {
-    Box<3> box = Box<3>::empty();
-    for (const Index corner : triangle) box.add(surface.points[at(corner)]);
-    boxes.push_back(box);
+    const auto& [a, b, c] = triangle;
+    boxes.push_back(Box<3>::around(
+        std::array{surface.points[at(a)], surface.points[at(b)], surface.points[at(c)]}));
   }
   tree_ = BoxTree<3>(boxes);
 }

@@ -8,12 +8,88 @@
 
 namespace winslow {
 
+Plane::Plane(const Vec3& point, const Vec3& normal) : point_(point), normal_(normal) {
+  // Divided by the largest component first, since squares may overflow.
+  const double largest = normal.cwiseAbs().maxCoeff();
+  if (!point.allFinite() || !normal.allFinite() || largest == 0)
+    throw UsageError("a plane needs a point and a normal of finite numbers, the normal not 0 0 0");
+  normal_ = (normal / largest).normalized();
+}
+
+std::array<Vec3, 2> directions_in(const Vec3& unit_normal) {
+  Index smallest = 0;
+  unit_normal.cwiseAbs().minCoeff(&smallest);
+  const Vec3 first = unit_normal.cross(Vec3::Unit(smallest)).normalized();
+  return {first, unit_normal.cross(first)};
+}
+
+namespace {
+
+constexpr Index block_size = 32;
+
+}  // namespace
+
+SectionIndex::SectionIndex(const Mesh& mesh) {
+  const Topology& topology = *mesh.topology;
+  require_kind(topology, MeshKind::volume, "cuts by a plane");
+  order_ = std::make_shared<const CurveOrder>(SpacePoints(mesh.coordinates), topology.node_count(),
+                                              space_bounds(mesh), topology.elements());
+  measure(mesh);
+}
+
+SectionIndex::SectionIndex(const Mesh& mesh, const SectionIndex& before) : order_(before.order_) {
+  if (order_->corners.values.size() != mesh.topology->elements().values.size() ||
+      order_->nodes.size() != at(mesh.coordinates.size()))
+    throw UsageError("cuts by a plane: the index is of another mesh");
+  measure(mesh);
+}
+
+void SectionIndex::measure(const Mesh& mesh) {
+  const SpacePoints x(mesh.coordinates);
+  places_.resize(order_->nodes.size());
+  parallel_for(0, static_cast<Index>(places_.size()), [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) places_[at(i)] = x[order_->nodes[at(i)]];
+  });
+  const Index count = order_->corners.rows();
+  boxes_.resize(at((count + block_size - 1) / block_size));
+  parallel_for(
+      0, static_cast<Index>(boxes_.size()),
+      [&](Index begin, Index end) {
+        for (Index b = begin; b < end; ++b) {
+          const Index last = std::min(count, (b + 1) * block_size);
+          const auto first_value = at(order_->corners.offsets[at(b * block_size)]);
+          const auto values =
+              std::span(order_->corners.values)
+                  .subspan(first_value, at(order_->corners.offsets[at(last)]) - first_value);
+          boxes_[at(b)] = Box<3>::empty();
+          for (const Index node : values) boxes_[at(b)].add(places_[at(node)]);
+        }
+      },
+      256);
+  extent_ = Box<3>::empty();
+  for (const Box<3>& box : boxes_) extent_.add(box);
+}
+
+std::vector<Index> SectionIndex::near(const Plane& plane, double slack) const {
+  std::vector<Index> near;
+  const Vec3 across = plane.normal().cwiseAbs();
+  const Index count = order_->corners.rows();
+  for (std::size_t b = 0; b < boxes_.size(); ++b) {
+    const double reach = 0.5 * across.dot(boxes_[b].size()) + slack;
+    // False for NaN, so that such blocks are among the result.
+    if (std::abs(plane.distance(boxes_[b].centre())) > reach) continue;
+    const Index begin = static_cast<Index>(b) * block_size;
+    for (Index e = begin; e < std::min(count, begin + block_size); ++e) near.push_back(e);
+  }
+  return near;
+}
+
 namespace {
 
 constexpr double nearness = 1e-10;  // of the mesh's extent
 
-/// Nodes and elements of a mesh as a section goes through them: in the order of the mesh, or in
-/// that of an index, with numbers of its own.
+/// Nodes and elements of a mesh in its own order, or in the order of an index, by their numbers in
+/// that order.
 class OrderedMesh {
  public:
   OrderedMesh(const Mesh& mesh, const SectionIndex* index)
@@ -24,7 +100,7 @@ class OrderedMesh {
 
   std::span<const Index> corners(Index e) const { return rows_[e]; }
   Vec3 point(Index node) const { return index_ ? index_->places()[at(node)] : x_[node]; }
-  /// Its number in the mesh.
+  /// The number of an element in the mesh.
   Index element(Index e) const { return index_ ? index_->order().elements[at(e)] : e; }
   ElementType type(Index e) const { return mesh_.topology->element_type(element(e)); }
 
@@ -35,7 +111,7 @@ class OrderedMesh {
   const CompressedRows& rows_;
 };
 
-/// Signed distances of points to a plane, 0 for those that count as on it.
+/// Signed distances of points from a plane, 0 for points that count as on it.
 class PlaneDistance {
  public:
   PlaneDistance(const Plane& plane, const Box<3>& extent)
@@ -52,11 +128,9 @@ class PlaneDistance {
   double least_;
 };
 
-/// Of each node of the mesh.
+/// Distances of all nodes of a mesh.
 std::vector<double> distances(const Mesh& mesh, const Plane& plane) {
-  if (mesh.topology->cell_dimension() != 3)
-    throw UsageError("cuts by a plane: only for a volume mesh, and this is a " +
-                     std::string(mesh_kind(*mesh.topology)));
+  require_kind(*mesh.topology, MeshKind::volume, "cuts by a plane");
   const PlaneDistance distance(plane, space_bounds(mesh));
   const SpacePoints x(mesh.coordinates);
   std::vector<double> d(at(mesh.coordinates.size()));
@@ -66,11 +140,11 @@ std::vector<double> distances(const Mesh& mesh, const Plane& plane) {
   return d;
 }
 
-/// On which side of a plane nodes lie, how far from it, and the points of the section that lie on
-/// edges of theirs.
+/// The side of a plane on which each node lies, its distance, and its list of section points (see
+/// EdgePoints).
 class NodeSides {
  public:
-  /// front_on_plane: nodes on the plane count with what lies in front of it.
+  /// front_on_plane: nodes on the plane count as in front of it.
   NodeSides(Index nodes, bool front_on_plane)
       : front_on_plane_(front_on_plane),
         sides_(at(nodes), unknown),
@@ -84,9 +158,9 @@ class NodeSides {
   }
   bool in_front(Index node) const { return sides_[at(node)] == front; }
   double distance(Index node) const { return nodes_[at(node)].distance; }
-  /// The point by which the list of those on the node's edges begins; -1: there is none yet.
+  /// The first section point in the list of the node; -1: the list is empty.
   Index& first_point(Index node) { return nodes_[at(node)].first_point; }
-  /// Nodes on both sides are among them.
+  /// Whether there are nodes on both sides.
   bool divides(std::span<const Index> nodes) const {
     unsigned met = 0;
     for (const Index node : nodes) met |= sides_[at(node)];
@@ -101,14 +175,14 @@ class NodeSides {
   };
 
   bool front_on_plane_;
-  std::vector<unsigned char> sides_;  // small enough to stay near the processor
-  // Memory for nodes that are not known is never touched.
+  std::vector<unsigned char> sides_;  // small, to stay in the cache
+  // Not initialised: memory for nodes that are not known is never touched.
   std::unique_ptr<Node[]> nodes_;
 };
 
-/// Points of a section by the edges that they lie on: a section asks for each of them four times
-/// over. They stand in lists by the node at one end of the edge, so that those near one another in
-/// the order of the mesh are near in memory; on one side of the plane a node has few.
+/// Finds the point of a section on an edge, which a section needs about four times for each point.
+/// Each node has a list of the points on its edges to the other side of the plane; these lists are
+/// short, and lists of neighbours are near in memory.
 class EdgePoints {
  public:
   struct Found {
@@ -133,23 +207,22 @@ class EdgePoints {
   std::vector<Entry> entries_;  // by point
 };
 
-/// The edges of a tetrahedron that a plane goes through, around the section, by which of its
-/// corners lie in front.
+/// The edges of a tetrahedron that a plane cuts, in the order around the section.
 struct TetrahedronCut {
   std::array<std::array<std::uint8_t, 2>, 4> edges{};  ///< from behind to the front
   std::size_t count = 0;
 };
 
-/// By the same rule as that of other elements: see Cutter::cut_face().
+/// front: bit k is set if corner k lies in front. The rule is that of other elements, see
+/// Cutter::cut_face().
 TetrahedronCut cut_of_tetrahedron(unsigned front) {
   const auto in_front = [&](Index k) { return (front >> static_cast<unsigned>(k) & 1U) != 0; };
   std::vector<std::array<Index, 2>> crossings;
   std::array<std::size_t, 4> next{};
   const auto find = [&](Index behind, Index before) {
     const std::array<Index, 2> edge{behind, before};
-    const auto found = std::ranges::find(crossings, edge);
-    const auto k = static_cast<std::size_t>(found - crossings.begin());
-    if (found == crossings.end()) crossings.push_back(edge);
+    const std::size_t k = index_of(crossings, edge);
+    if (k == crossings.size()) crossings.push_back(edge);
     return k;
   };
   for (const Face& face : shape_of(ElementType::tetrahedron).faces) {
@@ -242,8 +315,9 @@ class Cutter {
       if (!crossings_[k].done) add_polygon(e, k);
   }
 
-  /// Seen from the plane's front, the section lies on the left of a side that leads from where the
-  /// face's outline, counter-clockwise from outside, comes out of the front to where it enters it.
+  /// Adds the sides of the section in a face. Each side leads from a crossing at which the outline
+  /// of the face (counter-clockwise from outside) leaves the front to one at which it enters the
+  /// front: then the section is on its left seen from the front.
   void cut_face(const Face& face) {
     std::array<std::size_t, 4> at_crossing{};
     std::array<bool, 4> enters{};
@@ -263,9 +337,9 @@ class Cutter {
     }
   }
 
-  /// The saddle of the distance in a quadrilateral with two corners in front, opposite to each
-  /// other, lies in front, too. Products of two numbers, so that the answer is the same for both
-  /// elements.
+  /// Of a quadrilateral with two opposite corners in front: whether the saddle point of the
+  /// bilinear distance lies in front, too. Products of two numbers, so that the result is the same
+  /// for both elements of the face.
   bool front_joined(const Face& face) const {
     const std::size_t first = in_front(face[0]) ? 0 : 1;
     const auto d = [&](std::size_t k) { return sides_.distance(face[(first + k) % 4]); };
@@ -273,7 +347,7 @@ class Cutter {
   }
 
   Index point_at(Index behind_node, Index front_node) {
-    // A node on the plane is one point, whichever edges lead to it.
+    // A node on the plane is one point for all of its edges.
     const double front = sides_.distance(front_node), behind = sides_.distance(behind_node);
     const Index a = front == 0 ? front_node : behind_node;
     const Index b = behind == 0 ? behind_node : front_node;
@@ -297,13 +371,14 @@ class Cutter {
     end_polygon(e, begin);
   }
 
-  /// begin: of the polygon, in the values of all.
+  /// Adds a corner of a polygon unless it repeats the last one. begin: index of the first corner.
   void put_point(std::size_t begin, Index point) {
     auto& values = section_.polygons.values;
     if (values.size() == begin || values.back() != point) values.push_back(point);
   }
 
-  /// Points that fell together make no corner; fewer than three no polygon.
+  /// Ends a polygon: a last corner equal to the first is removed, and so is a polygon with fewer
+  /// than three corners.
   void end_polygon(Index e, std::size_t begin) {
     auto& polygons = section_.polygons;
     while (polygons.values.size() > begin + 1 && polygons.values.back() == polygons.values[begin])
@@ -325,7 +400,7 @@ PlaneSection whole_section(const Mesh& mesh, const std::vector<double>& distance
                            bool front_on_plane) {
   NodeSides sides(mesh.coordinates.size(), front_on_plane);
   for (std::size_t i = 0; i < distances.size(); ++i) sides.put(static_cast<Index>(i), distances[i]);
-  // Found first, by all threads, as the plane divides few.
+  // The plane divides few elements; all threads find them first.
   const Topology& topology = *mesh.topology;
   std::vector<unsigned char> flags(at(topology.element_count()));
   parallel_for(0, topology.element_count(), [&](Index begin, Index end) {
@@ -382,11 +457,9 @@ std::vector<unsigned char> elements_behind(const Mesh& mesh, std::span<const Pla
 namespace {
 
 /// Twice the area of a triangle, positive if it is counter-clockwise.
-double doubled_area(const Vec2& a, const Vec2& b, const Vec2& c) {
-  return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
-}
+double doubled_area(const Vec2& a, const Vec2& b, const Vec2& c) { return cross(b - a, c - a); }
 
-/// The corner can be cut off: no other corner lies in its triangle.
+/// Whether a corner can be cut off: its triangle is positive and holds no other corner.
 bool is_ear(const std::vector<Vec2>& p, const std::vector<Index>& left, std::size_t k) {
   const std::size_t n = left.size();
   const Index a = left[(k + n - 1) % n], b = left[k], c = left[(k + 1) % n];

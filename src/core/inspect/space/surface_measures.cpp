@@ -30,10 +30,10 @@ std::vector<Index> element_layers(const Topology& topology, std::span<const Inde
 
 namespace {
 
-constexpr int directions = 200;          // in which the hull is looked for
+constexpr int directions = 200;          // in which points of the hull are found
 constexpr double hull_tolerance = 0.01;  // of the mesh's extent
 
-/// The part of each face: the lowest of the faces of its marker with which it hangs together.
+/// The part of each face, as the lowest face of the part.
 std::vector<Index> parts_of(std::span<const SurfaceFace> faces) {
   JoinedSets sets(faces.size());
   const SurfaceEdges edges = surface_edges(faces);
@@ -48,8 +48,8 @@ std::vector<Index> parts_of(std::span<const SurfaceFace> faces) {
   return part;
 }
 
-/// Points that lie furthest in directions spread evenly over the sphere (a spiral whose turns are
-/// golden sections).
+/// The furthest points of the surface in directions spread evenly over the sphere (a golden-angle
+/// spiral).
 std::vector<Vec3> hull_points(const SpacePoints& x, std::span<const SurfaceFace> faces) {
   const double golden = pi * (3 - std::sqrt(5.0));
   std::vector<Vec3> points;
@@ -70,7 +70,7 @@ std::vector<Vec3> hull_points(const SpacePoints& x, std::span<const SurfaceFace>
   return points;
 }
 
-/// No point of the mesh lies before the face.
+/// Whether no point of the hull lies outside the plane of the face.
 bool on_hull(const Vec3& centre, const Vec3& area, const std::vector<Vec3>& hull, double slack) {
   const double most = slack * area.norm();
   return std::ranges::none_of(hull, [&](const Vec3& p) { return area.dot(p - centre) > most; });
@@ -105,7 +105,7 @@ std::vector<unsigned char> enclosing_faces(const Mesh& mesh, std::span<const Sur
     enclosing[f] = part.encloses() ? 1 : 0;
     if (part.encloses() || part.area == 0) continue;
     bodies = true;
-    if (faces[f].neighbour >= 0) continue;  // inside, and seen from either side
+    if (faces[f].neighbour >= 0) continue;  // inside the mesh: no outward side
     outwards += (centre_of(x, faces[f].nodes) - part.moment / part.area)
                     .dot(area_vector(x, faces[f].nodes));
   }
@@ -115,7 +115,7 @@ std::vector<unsigned char> enclosing_faces(const Mesh& mesh, std::span<const Sur
 
 namespace {
 
-/// Calls `add` with the corners of each triangle of a face, counter-clockwise as the face is.
+/// Calls `add` with the corners of each triangle of a face, in the direction of the face.
 template <class Add>
 void for_triangles(const SpacePoints& x, const Face& face, Add&& add) {
   if (face.size() == 3) return add(x[face[0]], x[face[1]], x[face[2]]);
@@ -124,7 +124,8 @@ void for_triangles(const SpacePoints& x, const Face& face, Add&& add) {
     add(x[face[k]], x[face[(k + 1) % face.size()]], centre);
 }
 
-/// Six times the volume between triangles and a point, positive where they face away from it.
+/// Six times the volume of the tetrahedra of a point with all triangles, positive if these face
+/// away from the point.
 double sixfold_volume(const SpacePoints& x, std::span<const SurfaceFace> faces, const Vec3& from) {
   double sum = 0;
   for (const SurfaceFace& face : faces)
@@ -161,7 +162,7 @@ SurfaceMeasures measure_surface(const SpacePoints& x, std::span<const SurfaceFac
   SurfaceMeasures measures;
   measures.faces = static_cast<Index>(faces.size());
   if (faces.empty()) return measures;
-  // Differences of coordinates keep their digits far from the origin.
+  // Relative to a point of the surface, to keep digits far from the origin.
   const Vec3 near = x[faces.front().nodes[0]];
   Vec3 moment(0, 0, 0);
   for (const SurfaceFace& face : faces)
@@ -173,7 +174,7 @@ SurfaceMeasures measure_surface(const SpacePoints& x, std::span<const SurfaceFac
     });
   measures.centroid = near;
   if (measures.area > 0) measures.centroid += moment / measures.area;
-  // The faces of a body look into it, as they look out of the mesh around it.
+  // Faces point out of the mesh: into a body that the mesh surrounds. So the sign does not matter.
   if (is_closed(faces)) measures.volume = std::abs(sixfold_volume(x, faces, near)) / 6;
   return measures;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/inspect/nodal_view.h"
 #include "core/inspect/node_roles.h"
-#include "core/inspect/space/volume_nodal_view.h"
 #include "core/strategy/smooth_options.h"
 #include "core/vcv/sphere/link_matching.h"
 #include "gui/base/background.h"

@@ -1,7 +1,7 @@
 #include "gui/document/session/mesh_layers.h"
 
 #include "core/layers/layer_detection.h"
-#include "core/layers/layer_fit.h"
+#include "core/layers/layer_plan.h"
 
 namespace winslow::gui {
 

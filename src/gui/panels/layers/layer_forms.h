@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/layers/layer_measures.h"
 #include "core/layers/layer_spacing.h"
+#include "core/layers/layer_stack.h"
 #include "gui/menu/panel_context.h"
 #include "gui/widgets/controls.h"
 #include "gui/widgets/plot_frame.h"

@@ -1,6 +1,6 @@
 #include "gui/panels/layers/layers_panel.h"
 
-#include "core/layers/layer_measures.h"
+#include "core/layers/layer_stack.h"
 #include "core/strategy/layering.h"
 #include "gui/base/text.h"
 #include "gui/document/session/mesh_layers.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/inspect/space/volume_nodal_view.h"
+#include "core/inspect/nodal_view.h"
 #include "gui/menu/panel_context.h"
 #include "gui/panels/vcv/sphere_plot.h"
 

@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "core/inspect/space/volume_nodal_view.h"
+#include "core/inspect/nodal_view.h"
 #include "gui/panels/vcv/vcv_parts.h"
 #include "gui/render/color_scale.h"
 #include "gui/render/space/space_view.h"

@@ -4,7 +4,7 @@
 #include "core/inspect/nodal_view.h"
 #include "core/inspect/space/plane_section.h"
 #include "core/inspect/space/surface_measures.h"
-#include "core/inspect/space/volume_nodal_view.h"
+#include "core/parallel/parallel_for.h"
 #include "core/quality/quality.h"
 #include "core/quality/surface_distance.h"
 #include "core/strategy/surface_shape.h"

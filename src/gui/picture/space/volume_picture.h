@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/inspect/element_field.h"
-#include "core/inspect/space/section_index.h"
+#include "core/inspect/space/plane_section.h"
 #include "core/vcv/sphere/node_vcv.h"
 #include "gui/picture/figure/vector_figure.h"
 #include "gui/render/color_scale.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/inspect/space/section_index.h"
+#include "core/inspect/space/plane_section.h"
 #include "core/search/box_tree.h"
 #include "gui/render/mesh_renderer.h"
 #include "gui/render/view.h"

@@ -2,7 +2,7 @@
 
 #include <compare>
 
-#include "core/inspect/space/section_index.h"
+#include "core/inspect/space/plane_section.h"
 #include "core/inspect/space/surface_measures.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/surface_faces.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/inspect/space/section_index.h"
+#include "core/inspect/space/plane_section.h"
 #include "core/strategy/surface_shape.h"
 #include "gui/base/background.h"
 #include "gui/document/session/quality_watch.h"

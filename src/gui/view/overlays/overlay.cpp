@@ -1,6 +1,6 @@
 #include "gui/view/overlays/overlay.h"
 
-#include "core/layers/layer_measures.h"
+#include "core/layers/layer_stack.h"
 #include "gui/base/text.h"
 #include "gui/view/overlays/tool_overlay.h"
 #include "gui/view/overlays/vcv_overlay.h"

@@ -66,7 +66,7 @@ void draw_vcvs(ImDrawList& list, const View& view, std::span<const NodalView> no
 void draw_vcv(ImDrawList& list, const View& view, const NodalView& node, const StarPlane& plane,
               float unit, ImFont* font) {
   const auto pixel = [&](const Vec2& p) {
-    return static_cast<ImVec2>(view.project(plane.at(p)).at);
+    return static_cast<ImVec2>(view.project(plane.point(p)).at);
   };
   std::vector<ImVec2> ends;
   for (const Vec2& p : vcv_over_star(node)) ends.push_back(pixel(p));

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include "core/inspect/nodal_view.h"
-#include "core/inspect/space/volume_nodal_view.h"
 #include "core/mesh/mesh.h"
 #include "gui/render/color_scale.h"
 #include "gui/render/space/space_view.h"

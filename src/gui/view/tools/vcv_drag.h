@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/inspect/nodal_view.h"
-#include "core/inspect/space/volume_nodal_view.h"
 #include "core/vcv/vcv_edit.h"
 
 namespace winslow::gui {

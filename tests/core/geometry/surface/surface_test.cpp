@@ -5,9 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/geometry/surface/recognised_surface.h"
 #include "core/geometry/surface/surface.h"
-#include "core/geometry/surface/surfaces.h"
 
 namespace winslow::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/layers/layer_measures.h"
+#include "core/layers/layer_stack.h"
 #include "gui/files/assets.h"
 #include "gui/panels/files/file_dialog.h"
 #include "gui/support/rig.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "core/layers/layer_fit.h"
-#include "core/layers/layer_measures.h"
+#include "core/layers/layer_plan.h"
+#include "core/layers/layer_stack.h"
 #include "gui/support/rig.h"
 
 namespace winslow::gui::test {

@@ -1,4 +1,4 @@
-#include "core/layers/layer_fit.h"
+#include "core/layers/layer_plan.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/command/command.h"
-#include "core/layers/layer_measures.h"
+#include "core/layers/layer_stack.h"
 #include "core/quality/quality.h"
 #include "support/meshes.h"
 

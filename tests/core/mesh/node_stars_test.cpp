@@ -1,4 +1,4 @@
-#include "core/mesh/curve_order.h"
+#include "core/mesh/node_stars.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "core/layers/layer_climb.h"
+#include "core/layers/layer_detection.h"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +10,7 @@
 
 #include "core/command/command.h"
 #include "core/error.h"
-#include "core/layers/layer_detection.h"
-#include "core/layers/layer_measures.h"
+#include "core/layers/layer_stack.h"
 #include "support/layered_meshes.h"
 
 using namespace winslow;
