@@ -155,7 +155,7 @@ gui::VolumePictureOptions volume_options(const RenderFlags& flags, MeshKind kind
 gui::VolumePictureOptions alike_options(const RenderFlags& flags,
                                         std::span<const Mesh* const> states) {
   const Mesh &first = *states.front(), &last = *states.back();
-  gui::VolumePictureOptions options = volume_options(flags, kind_of(*first.topology));
+  gui::VolumePictureOptions options = volume_options(flags, first.topology->kind());
   if (is_surface(*first.topology)) options.given = std::make_shared<const Mesh>(first);
   if (!options.cuts && !options.isolate) options.cuts = gui::cuts_of_picture(last, options);
   Box<3> all = Box<3>::empty();
@@ -177,7 +177,7 @@ void add_volume_flags(CLI::App& app, VolumeFlags& flags) {
 }
 
 void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Topology& topology) {
-  const MeshKind kind = kind_of(topology);
+  const MeshKind kind = topology.kind();
   const auto refuse = [&](std::span<const char* const> names, const char* whose) {
     for (const char* name : names) {
       if (app.count(name) > 0)
@@ -202,17 +202,17 @@ void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Top
 std::string draw_volume(const RenderFlags& flags, const Mesh& mesh) {
   if (!gui::is_vector_format(flags.output)) {
     gui::write_png(flags.output,
-                   gui::draw_volume_picture(mesh, volume_options(flags, kind_of(*mesh.topology))));
+                   gui::draw_volume_picture(mesh, volume_options(flags, mesh.topology->kind());
     return {};
   }
   const gui::VectorFigure figure =
-      gui::volume_picture_figure(mesh, volume_options(flags, kind_of(*mesh.topology)));
+      gui::volume_picture_figure(mesh, volume_options(flags, mesh.topology->kind());
   gui::write_figure(flags.output, figure);
   return figure.scene->raster ? ", the mesh in it as pixels: too many faces are seen" : "";
 }
 
 std::string draw_turntable(const RenderFlags& flags, const Mesh& mesh) {
-  gui::VolumePictureOptions options = volume_options(flags, kind_of(*mesh.topology));
+  gui::VolumePictureOptions options = volume_options(flags, mesh.topology->kind());
   if (!options.view)
     options.view = gui::automatic_view(gui::cuts_of_picture(mesh, options), options.up);
   // From whatever side all of it has room, and has one size.

@@ -133,7 +133,6 @@ class Topology {
   mutable std::unique_ptr<HalfEdgeMesh> half_edges_;
 };
 
-inline MeshKind kind_of(const Topology& topology) { return topology.kind(); }
 inline bool is_surface(const Topology& topology) { return topology.kind() == MeshKind::surface; }
 /// "plane mesh", "surface mesh" or "volume mesh".
 inline std::string_view mesh_kind(const Topology& topology) {

@@ -91,7 +91,7 @@ std::size_t place_of(const MeshError& error, const SourceMap& where) {
 
 void check_dimension(const std::filesystem::path& path, const Topology& topology,
                      const MeshFormat& format) {
-  if (format.can_write(kind_of(topology))) return;
+  if (format.can_write(topology.kind())) return;
   throw UsageError(path.string() + ": " + std::string(format.title) + " files cannot hold a " +
                    std::string(mesh_kind(topology)));
 }

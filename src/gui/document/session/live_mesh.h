@@ -148,7 +148,7 @@ inline bool in_space(const LiveMesh& mesh) {
 }
 /// Of the open mesh; of what could be opened, where there is none, a plane one.
 inline MeshKind kind_of(const LiveMesh& mesh) {
-  return mesh.topology() ? kind_of(*mesh.topology()) : MeshKind::plane;
+  return mesh.topology() ? mesh.topology()->kind() : MeshKind::plane;
 }
 
 }  // namespace winslow::gui

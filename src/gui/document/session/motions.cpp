@@ -190,7 +190,7 @@ void VcvEditor::on(const action::EditVcvs& a) {
   const MeshState& state = mesh_.document()->state();
   OngoingWork::EditedVcvs edited;
   try {
-    if (kind_of(*state.mesh.topology) == MeshKind::volume)
+    if (state.mesh.topology->kind() == MeshKind::volume)
       edited.sphere = edit_vcvs(*state.mesh.topology, state.vcvs.by_hand().get(), a.edits);
     else
       edited.plane = edit_vcvs(*state.vcvs.plane(), a.edits);

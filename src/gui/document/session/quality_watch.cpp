@@ -55,7 +55,7 @@ std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape,
                                             .threads = order.threads,
                                             .normals = normals,
                                             .before = wish.before});
-  const MeshKind kind = kind_of(*mesh.topology);
+  const MeshKind kind = mesh.topology->kind();
   if (kind == MeshKind::surface && wish.given)
     measure_surface(subject, order, normals, *measured);
   else if (kind == MeshKind::surface && wish.field && wish.field->metric())

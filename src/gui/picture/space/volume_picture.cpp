@@ -121,7 +121,7 @@ void check_cuts(const Mesh& mesh, const std::vector<Plane>& cuts) {
 }
 
 void check(const Mesh& mesh, const VolumePictureOptions& options) {
-  const MeshKind kind = kind_of(*mesh.topology);
+  const MeshKind kind = mesh.topology->kind();
   if (kind == MeshKind::plane)
     throw UsageError("a picture of a volume mesh or a surface mesh: this is a plane mesh");
   const std::vector<ElementField>& fields = all_element_fields(kind);

@@ -15,15 +15,15 @@ namespace winslow::gui {
 namespace {
 
 /// What is said of meshes of one kind.
-struct KindWords {
+struct ItemWords {
   const char* expected;  ///< as the name of an item
   const char* sides;     ///< of an element that lie on markers
   const char* quality;   ///< normalized Jacobian
   bool faces = false;    ///< they have numbers
 };
 
-const KindWords& words_of(MeshKind kind) {
-  static constexpr std::array<KindWords, 3> words{
+const ItemWords& item_words(MeshKind kind) {
+  static constexpr std::array<ItemWords, 3> words{
       {{"Expected a node (n123), an element (e45), a point (0.5, 0.1), \"worst 3\" or a marker.",
         "Edges on", "sine"},
        {"Expected a node (n123), an element (e45), a point (0.5, 0.1, 2), \"worst 3\" or a marker.",
@@ -66,7 +66,7 @@ Index count_of(MeshItem::Kind kind, const Topology& topology) {
     case MeshItem::Kind::face:
       break;
   }
-  return words_of(kind_of(topology)).faces ? topology.face_count() : 0;
+  return item_words(topology.kind()).faces ? topology.face_count() : 0;
 }
 
 MeshItem checked(MeshItem::Kind kind, long long id, const Topology& topology) {
@@ -182,7 +182,7 @@ void add_surroundings(Lines& lines, Index e, const Mesh& mesh) {
   lines.emplace_back("Middle",
                      place_text(middle_of(SpacePoints(mesh.coordinates), topology.element(e))));
   lines.emplace_back("Neighbours", neighbours.empty() ? "none" : neighbours);
-  if (!markers.empty()) lines.emplace_back(words_of(kind_of(topology)).sides, markers);
+  if (!markers.empty()) lines.emplace_back(item_words(topology.kind()).sides, markers);
 }
 
 Lines describe_face(Index f, const Session& session) {
@@ -220,7 +220,7 @@ void add_worst_around(Lines& lines, Index i, const Session& session) {
   }
   if (worst >= 0)
     lines.emplace_back("Worst of them", std::to_string(worst) + ", " +
-                                            words_of(session.kind()).quality + ' ' +
+                                            item_words(session.kind()).quality + ' ' +
                                             short_number(least));
 }
 
@@ -274,7 +274,7 @@ Lines describe_node(Index i, const Session& session) {
 
 MeshItem parse_item(const std::string& text, const Session& session, const ViewOptions& view) {
   const std::string wanted = trimmed(text);
-  const KindWords& words = words_of(session.kind());
+  const ItemWords& words = item_words(session.kind());
   if (wanted.empty()) throw UsageError(words.expected);
   const Topology& topology = *session.topology();
   // A marker may be called "n1" or "worst": a name that exists wins.
