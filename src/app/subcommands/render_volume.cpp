@@ -202,11 +202,11 @@ void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Top
 std::string draw_volume(const RenderFlags& flags, const Mesh& mesh) {
   if (!gui::is_vector_format(flags.output)) {
     gui::write_png(flags.output,
-                   gui::draw_volume_picture(mesh, volume_options(flags, mesh.topology->kind());
+                   gui::draw_volume_picture(mesh, volume_options(flags, mesh.topology->kind())));
     return {};
   }
   const gui::VectorFigure figure =
-      gui::volume_picture_figure(mesh, volume_options(flags, mesh.topology->kind());
+      gui::volume_picture_figure(mesh, volume_options(flags, mesh.topology->kind()));
   gui::write_figure(flags.output, figure);
   return figure.scene->raster ? ", the mesh in it as pixels: too many faces are seen" : "";
 }

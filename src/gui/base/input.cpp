@@ -1,8 +1,6 @@
 #include "gui/base/input.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
+#include <algorithm>
 #include <utility>
 
 namespace winslow::gui {
@@ -28,18 +26,6 @@ bool InputState::control() const {
 bool InputState::shift() const { return either(keys, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT); }
 bool InputState::alt() const { return either(keys, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT); }
 bool InputState::super() const { return either(keys, GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER); }
-
-void InputQueue::move(const ScreenPoint& position) { events_.push_back(Move{position, true}); }
-void InputQueue::leave() { events_.push_back(Move{ScreenPoint(-1, -1), false}); }
-void InputQueue::button(MouseButton button, bool down) { events_.push_back(Button{button, down}); }
-void InputQueue::wheel(const Vec2& notches) { events_.push_back(Wheel{notches}); }
-void InputQueue::key(int glfw_key, bool down) {
-  if (glfw_key >= 0 && glfw_key < 512) events_.push_back(Key{glfw_key, down});
-}
-void InputQueue::text(char32_t character) { events_.push_back(Text{character}); }
-void InputQueue::drop(std::vector<std::filesystem::path> files) {
-  events_.push_back(Drop{std::move(files)});
-}
 
 struct InputQueue::Frame {
   std::array<bool, 3> button_changed{};

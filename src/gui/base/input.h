@@ -1,5 +1,8 @@
 #pragma once
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
 #include <bitset>
 #include <deque>
 #include <filesystem>
@@ -40,13 +43,15 @@ struct InputState {
 /// for the field that the command may open.
 class InputQueue {
  public:
-  void move(const ScreenPoint& position);
-  void leave();
-  void button(MouseButton button, bool down);
-  void wheel(const Vec2& notches);
-  void key(int glfw_key, bool down);
-  void text(char32_t character);
-  void drop(std::vector<std::filesystem::path> files);
+  void move(const ScreenPoint& position) { events_.push_back(Move{position, true}); }
+  void leave() { events_.push_back(Move{ScreenPoint(-1, -1), false}); }
+  void button(MouseButton button, bool down) { events_.push_back(Button{button, down}); }
+  void wheel(const Vec2& notches) { events_.push_back(Wheel{notches}); }
+  void key(int glfw_key, bool down) {
+    if (glfw_key >= 0 && glfw_key < 512) events_.push_back(Key{glfw_key, down});
+  }
+  void text(char32_t character) { events_.push_back(Text{character}); }
+  void drop(std::vector<std::filesystem::path> files) { events_.push_back(Drop{std::move(files)}); }
 
   bool empty() const { return events_.empty(); }
   /// Whether a frame takes keys that went down, or leaves them, and what came after them, in the

@@ -7,7 +7,7 @@
 
 namespace winslow::gui {
 
-std::string formatted(const char* format, double value) {
+std::string formatted(double value, const char* format) {
   std::array<char, 64> buffer{};
   std::snprintf(buffer.data(), buffer.size(), format, value);
   return buffer.data();
@@ -19,11 +19,17 @@ std::string grouped(long long value) {
   return value < 0 ? "-" + digits : digits;
 }
 
-std::string short_number(double value) { return formatted("%.4g", value); }
+std::string joined(std::span<const std::string> texts, std::string_view between) {
+  std::string all;
+  for (const std::string& text : texts) all.append(all.empty() ? "" : between).append(text);
+  return all;
+}
+
+std::string short_number(double value) { return formatted(value, "%.4g"); }
 
 std::string table_number(double value) {
   if (!std::isfinite(value)) return "-";
-  return formatted(std::abs(value) < 1000 ? "%.3f" : "%.2e", value);
+  return formatted(value, std::abs(value) < 1000 ? "%.3f" : "%.2e");
 }
 
 namespace {

@@ -27,12 +27,9 @@ struct Demo {
   std::vector<DemoStep> steps;
 };
 
-/// All demos. TO ADD ONE, add a function to demo.cpp, or to demo.cpp.
+/// All demos, those on volume meshes last. TO ADD ONE, add a function to demo.cpp.
 const std::vector<Demo>& demos();
 /// Null if there is none of that id.
 const Demo* find_demo(const std::string& id);
-
-/// Those on volume meshes.
-std::vector<Demo> volume_demos();
 
 }  // namespace winslow::gui

@@ -24,64 +24,56 @@ std::vector<FileKind> mesh_kinds(std::optional<MeshKind> to_write) {
   return kinds;
 }
 
-DialogKind single(const char* title, const char* label, const char* extension) {
-  return {title, "Save", true, {{label, {extension}}}, extension};
+DialogKind saving(const char* title, const char* button, std::vector<FileKind> kinds,
+                  const char* extension = "") {
+  return {title, button, true, std::move(kinds), extension};
+}
+
+DialogKind opening(const char* title, const char* button, std::vector<FileKind> kinds) {
+  kinds.push_back({"All files", {}});
+  return {title, button, false, std::move(kinds), ""};
 }
 
 }  // namespace
 
 DialogKind dialog_of(FilePurpose purpose, MeshKind kind) {
   switch (purpose) {
-    case FilePurpose::open_mesh: {
-      DialogKind open{"Open a mesh", "Open", false, mesh_kinds({}), ""};
-      open.kinds.push_back({"All files", {}});
-      return open;
-    }
+    case FilePurpose::open_mesh:
+      return opening("Open a mesh", "Open", mesh_kinds({}));
     case FilePurpose::save_mesh:
-      return {"Save the mesh as", "Save", true, mesh_kinds(kind), ""};
+      return saving("Save the mesh as", "Save", mesh_kinds(kind));
     case FilePurpose::export_mesh:
-      return {"Export a copy of the mesh", "Export", true, mesh_kinds(kind), ""};
+      return saving("Export a copy of the mesh", "Export", mesh_kinds(kind));
     case FilePurpose::export_markers:
-      return {"Export markers as curves",
-              "Export",
-              true,
-              {{"All curves", io::boundary_extensions()},
-               {"Table", {".csv"}},
-               {"Points", {".dat"}},
-               {"VTK lines", {".vtk"}}},
-              ".csv"};
+      return saving("Export markers as curves", "Export",
+                    {{"All curves", io::boundary_extensions()},
+                     {"Table", {".csv"}},
+                     {"Points", {".dat"}},
+                     {"VTK lines", {".vtk"}}},
+                    ".csv");
     case FilePurpose::export_recipe:
-      return single("Export the recipe", "Recipes", ".json");
+      return saving("Export the recipe", "Save", {{"Recipes", {".json"}}}, ".json");
     case FilePurpose::replay_recipe:
-      return {"Replay a recipe on this mesh",
-              "Replay",
-              false,
-              {{"Recipes", {".json"}}, {"All files", {}}},
-              ""};
+      return opening("Replay a recipe on this mesh", "Replay", {{"Recipes", {".json"}}});
     case FilePurpose::export_convergence:
-      return single("Export the iterations as CSV", "Tables", ".csv");
+      return saving("Export the iterations as CSV", "Save", {{"Tables", {".csv"}}}, ".csv");
     case FilePurpose::picture:
-      return {"Save a picture: .png, or the mesh alone as .svg or .pdf",
-              "Save",
-              true,
-              {{"All pictures", {".png", ".svg", ".pdf"}},
-               {"PNG", {".png"}},
-               {"SVG", {".svg"}},
-               {"PDF", {".pdf"}}},
-              ".png"};
-    case FilePurpose::recording:
-      return {"Record to a film (.mp4, .gif), or to a folder of frames",
-              "Record",
-              true,
-              {{"All films", {".mp4", ".gif"}}, {"MP4", {".mp4"}}, {"GIF", {".gif"}}},
-              "",
-              true};
-    case FilePurpose::reference:
-    case FilePurpose::step_reference: {
-      DialogKind surface{"A surface for nodes to slide on", "Use", false, mesh_kinds({}), ""};
-      surface.kinds.push_back({"All files", {}});
-      return surface;
+      return saving("Save a picture: .png, or the mesh alone as .svg or .pdf", "Save",
+                    {{"All pictures", {".png", ".svg", ".pdf"}},
+                     {"PNG", {".png"}},
+                     {"SVG", {".svg"}},
+                     {"PDF", {".pdf"}}},
+                    ".png");
+    case FilePurpose::recording: {
+      DialogKind film =
+          saving("Record to a film (.mp4, .gif), or to a folder of frames", "Record",
+                 {{"All films", {".mp4", ".gif"}}, {"MP4", {".mp4"}}, {"GIF", {".gif"}}});
+      film.folders = true;
+      return film;
     }
+    case FilePurpose::reference:
+    case FilePurpose::step_reference:
+      return opening("A surface for nodes to slide on", "Use", mesh_kinds({}));
   }
   return {};
 }

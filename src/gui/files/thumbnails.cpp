@@ -53,6 +53,40 @@ int choose_cut(const Mesh& mesh, const VolumeBoundary& boundary, VolumeLook& loo
   return axis == 2 ? 1 : 2;
 }
 
+/// Cut through the bodies, where there are any.
+Image draw_volume(const Mesh& mesh) {
+  const VolumeBoundary boundary = find_boundary(mesh);
+  VolumeLook look;
+  const int up = choose_cut(mesh, boundary, look);
+  VolumeStyle style;
+  style.fill = {0.90f, 0.93f, 0.98f, 1};
+  style.edge = {0.22f, 0.35f, 0.60f, 0.7f};
+  style.feature_width = 2.4f;
+  for (std::size_t m = 0; m < mesh.topology->markers().size(); ++m)
+    look.marker_colors.push_back({0.55f, 0.68f, 0.90f});
+  SpaceCamera camera;
+  camera.set_viewport(0, 0, Thumbnails::width, Thumbnails::height);
+  camera.look_from(automatic_view(look.cuts, up));
+  std::vector<Vec3> points;
+  const SpacePoints x(mesh.coordinates);
+  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
+    if (!boundary.encloses || boundary.enclosing[f] == 0)
+      for (const Index node : boundary.faces[f].nodes) points.push_back(x[node]);
+  camera.fit(points, boundary.encloses ? 0.16 : 0.04);
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  FrameBuffer buffer(Thumbnails::width, Thumbnails::height, 4);
+  buffer.clear({1, 1, 1, 1});
+  SpaceRenderer renderer;
+  const SpaceScene scene = build_scene(mesh, boundary, look, style);
+  camera.set_content(scene.extent);
+  renderer.set_scene(scene);
+  renderer.draw(camera, Thumbnails::height);
+  Image image = buffer.read();
+  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+  return image;
+}
+
 }  // namespace
 
 bool Thumbnails::possible() {
@@ -100,40 +134,6 @@ Image Thumbnails::draw(const Mesh& mesh) {
   style.edge_color = {0.22f, 0.35f, 0.60f, 1};
   style.boundary_width = 3;
   renderer.draw(camera, style, height);
-  Image image = buffer.read();
-  glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
-  return image;
-}
-
-/// Cut through the bodies, where there are any.
-Image Thumbnails::draw_volume(const Mesh& mesh) {
-  const VolumeBoundary boundary = find_boundary(mesh);
-  VolumeLook look;
-  const int up = choose_cut(mesh, boundary, look);
-  VolumeStyle style;
-  style.fill = {0.90f, 0.93f, 0.98f, 1};
-  style.edge = {0.22f, 0.35f, 0.60f, 0.7f};
-  style.feature_width = 2.4f;
-  for (std::size_t m = 0; m < mesh.topology->markers().size(); ++m)
-    look.marker_colors.push_back({0.55f, 0.68f, 0.90f});
-  SpaceCamera camera;
-  camera.set_viewport(0, 0, width, height);
-  camera.look_from(automatic_view(look.cuts, up));
-  std::vector<Vec3> points;
-  const SpacePoints x(mesh.coordinates);
-  for (std::size_t f = 0; f < boundary.faces.size(); ++f)
-    if (!boundary.encloses || boundary.enclosing[f] == 0)
-      for (const Index node : boundary.faces[f].nodes) points.push_back(x[node]);
-  camera.fit(points, boundary.encloses ? 0.16 : 0.04);
-  GLint bound = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-  FrameBuffer buffer(width, height, 4);
-  buffer.clear({1, 1, 1, 1});
-  SpaceRenderer renderer;
-  const SpaceScene scene = build_scene(mesh, boundary, look, style);
-  camera.set_content(scene.extent);
-  renderer.set_scene(scene);
-  renderer.draw(camera, height);
   Image image = buffer.read();
   glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
   return image;

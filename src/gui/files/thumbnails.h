@@ -34,7 +34,6 @@ class Thumbnails {
   /// The bundled meshes are installed.
   static bool possible();
   static std::vector<Loaded> read();
-  static Image draw_volume(const Mesh& mesh);
 
   double shown_ = 0;  // seconds for which pictures were wanted
   bool started_ = false;

@@ -1,7 +1,5 @@
 #include "gui/menu/bodies.h"
 
-#include "gui/menu/user_command.h"
-
 namespace winslow::gui {
 
 std::string names_of(const PanelContext& context, const std::vector<Index>& markers) {
@@ -60,6 +58,13 @@ std::string locked_marker(const PanelContext& context, const std::vector<Index>&
   return {};
 }
 
+UserCommand::Text while_locked(std::vector<Index> markers) {
+  return [markers = std::move(markers)](const PanelContext& c) {
+    const std::string locked = locked_marker(c, markers);
+    return locked.empty() ? std::string() : locked + " is locked.";
+  };
+}
+
 std::string without_bodies(const PanelContext& context) {
   if (!context.session.document()) return without_mesh(context);
   if (!bodies(context).empty()) return "";
@@ -79,6 +84,22 @@ std::string selection_in_use(const PanelContext& context) {
 
 const char* translation_field(const PanelContext& context) {
   return context.session.in_space() ? "motion/d_x" : "motion/dx";
+}
+
+void change_looks(const PanelContext& context, const std::vector<Index>& markers,
+                  const std::function<void(MarkerLook&)>& change) {
+  std::vector<Index> kept = context.session.selection().markers();
+  context.edit_view([&](ViewOptions& view) {
+    for (const Index m : markers) {
+      const std::string name = names_of(context, {m});
+      MarkerLook look = view.markers.of(name);
+      change(look);
+      view.markers.set(name, look);
+      if (look.hidden || look.locked) std::erase(kept, m);
+    }
+  });
+  if (kept != context.session.selection().markers())
+    context.emit(action::SelectMarkers{kept, false});
 }
 
 void cycle_bodies(const PanelContext& context, int step) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/menu/panel_context.h"
+#include "gui/menu/user_command.h"
 
 /// The open mesh's boundary as commands name it.
 namespace winslow::gui {
@@ -23,6 +23,7 @@ std::string names_of(const PanelContext& context, const std::vector<Index>& mark
 std::string locked_marker(const PanelContext& context, const std::vector<Index>& markers);
 
 // What stands in the way of commands on bodies, as UserCommand::blocked.
+UserCommand::Text while_locked(std::vector<Index> markers);
 std::string without_bodies(const PanelContext& context);
 std::string without_selection(const PanelContext& context);
 /// No mesh, nothing selected, or the solver is at work.
@@ -30,6 +31,10 @@ std::string selection_in_use(const PanelContext& context);
 
 /// The field of the panel in which one types how far a selection moves along x.
 const char* translation_field(const PanelContext& context);
+
+/// Changes the looks of markers; one that is hidden or locked then is not selected any longer.
+void change_looks(const PanelContext& context, const std::vector<Index>& markers,
+                  const std::function<void(MarkerLook&)>& change);
 
 /// Selects the next body that is not locked, or with -1 the one before.
 void cycle_bodies(const PanelContext& context, int step);

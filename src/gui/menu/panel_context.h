@@ -36,19 +36,31 @@ struct PanelContext {
   void edit_view(Change&& change) const {
     ViewOptions after = view;
     change(after);
-    emit(action::EditView{difference(view, after)});
+    edit(after);
+  }
+  // Emit what leads from the options as they are to others.
+  void edit(const ViewOptions& after) const {
+    if (const auto changes = difference(view, after); !changes.empty())
+      emit(action::EditView{changes});
+  }
+  void edit(const SmoothOptions& after) const {
+    emit(action::EditSmoothOptions{difference(session.solver_settings().smooth_options(), after)});
+  }
+  void edit(const MotionOptions& after) const {
+    emit(action::EditMotionOptions{difference(session.solver_settings().motion_options(), after)});
   }
   /// The picture is that of the session's mesh, not of the one before.
   bool picture_follows() const { return shown && shown->shape == session.shape(); }
   const Topology* topology() const { return session.topology().get(); }
 };
 
-/// A part of the studio: draws itself into the current ImGui window from a view of the session and
-/// emits actions. No panel knows another.
-class Panel {
- public:
-  virtual ~Panel() = default;
-  virtual void draw(const PanelContext& context) = 0;
-};
+/// A panel: draws a part of the studio into the current ImGui window, in every frame that shows it,
+/// and emits actions. No panel knows another.
+using DrawPanel = std::function<void(const PanelContext&)>;
+/// One that keeps something from frame to frame, in a class with draw().
+template <class P>
+DrawPanel panel_of() {
+  return [panel = std::make_shared<P>()](const PanelContext& context) { panel->draw(context); };
+}
 
 }  // namespace winslow::gui

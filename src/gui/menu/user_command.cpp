@@ -1,43 +1,57 @@
 #include "gui/menu/user_command.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include <iterator>
+#include <cctype>
 #include <stdexcept>
 
 namespace winslow::gui {
 
-namespace {
+UserCommand entry(std::string id, std::string label, std::vector<Chord> keys, std::string tooltip,
+                  UserCommand::Run run, UserCommand more) {
+  more.id = std::move(id);
+  more.label = std::move(label);
+  more.keys = std::move(keys);
+  more.tooltip = std::move(tooltip);
+  more.run = std::move(run);
+  return more;
+}
 
-/// What has no counterpart in space (yet).
-constexpr std::array<std::string_view, 11> of_planes{
-    "magnifier",    "pin_magnifier", "nodes",          "rim_nodes",
-    "directions",   "insert_layers", "respace_layers", "hold_layers",
-    "layers_panel", "color_layers",  "color_spacing"};
+UserCommand submenu(std::string id, std::string label, std::string tooltip,
+                    UserCommand::Items items, UserCommand more) {
+  more.items = std::move(items);
+  return entry(std::move(id), std::move(label), {}, std::move(tooltip), {}, std::move(more));
+}
 
-/// What moves or bends a boundary: a surface keeps its shape.
-constexpr std::array<std::string_view, 8> of_motions{
-    "move", "rotate", "pivot", "move_body", "rotate_body", "shape_edit", "shape_done", "deform"};
+UserCommand::Text unless(UserCommand::Test can, std::string reason) {
+  return [can = std::move(can), reason = std::move(reason)](const PanelContext& c) {
+    return can(c) ? std::string() : reason;
+  };
+}
 
-}  // namespace
+UserCommand::Text first_of(std::vector<UserCommand::Text> reasons) {
+  return [reasons = std::move(reasons)](const PanelContext& c) {
+    std::string reason;
+    for (std::size_t k = 0; k < reasons.size() && reason.empty(); ++k) reason = reasons[k](c);
+    return reason;
+  };
+}
 
 const std::vector<UserCommand>& user_commands() {
   static const std::vector<UserCommand> all = [] {
+    const std::array<std::pair<CommandGroup, std::vector<UserCommand>>, 9> tables{
+        {{CommandGroup::file, file_commands()},
+         {CommandGroup::edit, edit_commands()},
+         {CommandGroup::motion, motion_commands()},
+         {CommandGroup::layers, layer_commands()},
+         {CommandGroup::solver, solver_commands()},
+         {CommandGroup::view, view_commands()},
+         {CommandGroup::view, space_commands()},
+         {CommandGroup::help, help_commands()},
+         {CommandGroup::help, demo_commands()}}};
     std::vector<UserCommand> commands;
-    for (auto make :
-         {file_commands, edit_commands, motion_commands, layer_commands, solver_commands,
-          view_commands, space_commands, help_commands, demo_commands}) {
-      auto group = make();
-      for (UserCommand& command : group) {
-        if (std::ranges::find(of_planes, command.id) != of_planes.end())
-          command.serves = plane_meshes;
-        if (std::ranges::find(of_motions, command.id) != of_motions.end())
-          command.serves = movable_meshes;
-      }
-      std::move(group.begin(), group.end(), std::back_inserter(commands));
-    }
+    for (const auto& [group, table] : tables)
+      for (const UserCommand& command : table) commands.emplace_back(command).group = group;
     return commands;
   }();
   return all;
@@ -51,25 +65,15 @@ const UserCommand& user_command(std::string_view id) {
 }
 
 std::string_view group_label(CommandGroup group) {
-  switch (group) {
-    case CommandGroup::file:
-      return "File";
-    case CommandGroup::edit:
-      return "Edit";
-    case CommandGroup::motion:
-      return "Motion";
-    case CommandGroup::layers:
-      return "Layers";
-    case CommandGroup::solver:
-      return "Solver";
-    case CommandGroup::view:
-      return "View";
-    case CommandGroup::help:
-      return "Help";
-  }
-  return "";
+  constexpr std::array<std::string_view, command_groups.size()> labels{
+      "File", "Edit", "Motion", "Layers", "Solver", "View", "Help"};
+  return labels[static_cast<std::size_t>(group)];
 }
 
+namespace {
+
+/// Why something that is for such meshes cannot be done to the one that is open, as a sentence;
+/// empty: it can, or none is open.
 std::string why_not_served(MeshKinds serves, const PanelContext& context) {
   const MeshKind kind = context.session.kind();
   if (!context.session.document() || serves.contains(kind)) return {};
@@ -83,6 +87,8 @@ std::string why_not_served(MeshKinds serves, const PanelContext& context) {
              ? "Not for surface meshes: the surface keeps its shape, and nodes move on it."
              : "Only for volume meshes: a surface mesh has nothing inside.";
 }
+
+}  // namespace
 
 std::string why_blocked(const UserCommand& command, const PanelContext& context) {
   if (std::string reason = why_not_served(command.serves, context); !reason.empty()) return reason;
@@ -166,25 +172,6 @@ bool pressed(const Chord& chord) {
          io.KeyAlt == chord.alt;
 }
 
-Chord key(int glfw_key) { return {glfw_key}; }
-
-Chord control(Chord chord) {
-  chord.control = true;
-  return chord;
-}
-
-Chord shift(Chord chord) {
-  chord.shift = true;
-  return chord;
-}
-
-Chord alt(Chord chord) {
-  chord.alt = true;
-  return chord;
-}
-
-Chord typed(char32_t character) { return {0, false, false, character}; }
-
 namespace {
 
 /// In a drag digits are numbers, and X, Y, Z axes.
@@ -206,6 +193,109 @@ void handle_shortcuts(const PanelContext& context, bool dragging) {
     if (!std::any_of(command.keys.begin(), command.keys.end(), counts)) continue;
     if (why_blocked(command, context).empty()) command.run(context);
   }
+}
+
+namespace {
+
+/// How a word was found, the best last.
+enum class Found { no, word_begins, word, label_begins, label };
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    // Bytes of UTF-8 beyond ASCII belong to words.
+    if (std::isalnum(byte) != 0 || byte >= 0x80)
+      words.back() += static_cast<char>(std::tolower(byte));
+    else if (!words.back().empty())
+      words.emplace_back();
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+std::string_view singular(std::string_view word) {
+  if (word.size() > 3 && word.ends_with('s')) word.remove_suffix(1);
+  return word;
+}
+
+bool has(const std::vector<std::string>& words, std::string_view wanted) {
+  return std::ranges::any_of(
+      words, [&](const std::string& word) { return singular(word) == singular(wanted); });
+}
+
+bool has_beginning(const std::vector<std::string>& words, std::string_view wanted) {
+  return std::ranges::any_of(
+      words, [&](const std::string& word) { return word.starts_with(singular(wanted)); });
+}
+
+Found find(std::string_view wanted, const std::vector<std::string>& label,
+           const std::vector<std::string>& words) {
+  if (has(label, wanted)) return Found::label;
+  if (has_beginning(label, wanted)) return Found::label_begins;
+  if (has(words, wanted)) return Found::word;
+  // Two letters begin something in every list of words.
+  return wanted.size() > 2 && has_beginning(words, wanted) ? Found::word_begins : Found::no;
+}
+
+}  // namespace
+
+std::optional<int> search_score(std::string_view query, std::string_view label,
+                                std::string_view words) {
+  const std::vector<std::string> in_label = words_of(label);
+  const std::vector<std::string> in_words = words_of(words);
+  Found worst = Found::label;
+  for (const std::string& wanted : words_of(query))
+    worst = std::min(worst, find(wanted, in_label, in_words));
+  const std::optional<int> by_letters = fuzzy_score(query, label);
+  if (worst == Found::no) return by_letters;
+  return static_cast<int>(worst) * found_by_words + by_letters.value_or(0);
+}
+
+namespace {
+
+constexpr int letter = 2;
+constexpr int begins_text = 12;
+constexpr int begins_word = 8;
+constexpr int adjoins = 6;
+constexpr int none = std::numeric_limits<int>::min() / 2;
+
+bool word_character(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+}  // namespace
+
+std::optional<int> fuzzy_score(std::string_view query, std::string_view text) {
+  std::string wanted;
+  for (char c : query)
+    if (c != ' ') wanted += lower(c);
+  if (wanted.empty()) return 0;
+  const std::size_t n = text.size();
+  // best[j]: of the letters so far, the last of them matched at j.
+  std::vector<int> best(n, none);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    std::vector<int> next(n, none);
+    int before = i == 0 ? 0 : none;  // best that ends before j - 1
+    for (std::size_t j = 0; j < n; ++j) {
+      const int beside = j > 0 && i > 0 ? best[j - 1] : none;
+      if (lower(text[j]) == wanted[i]) {
+        int own = letter;
+        if (j == 0)
+          own += begins_text;
+        else if (!word_character(text[j - 1]))
+          own += begins_word;
+        const int from = std::max(before, beside == none ? none : beside + adjoins);
+        if (from != none) next[j] = from + own;
+      }
+      before = std::max(before, beside);
+    }
+    best = std::move(next);
+  }
+  const int score = n == 0 ? none : *std::max_element(best.begin(), best.end());
+  if (score == none) return std::nullopt;
+  // Of two that fit alike, the shorter: more of it is what was typed.
+  return 64 * score - static_cast<int>(std::min<std::size_t>(n, 63));
 }
 
 }  // namespace winslow::gui

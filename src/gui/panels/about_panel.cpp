@@ -1,7 +1,4 @@
-#include "gui/panels/about_panel.h"
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
+#include "gui/panels/dialogs.h"
 
 #if __has_include(<suitesparse/SuiteSparse_config.h>)
 #include <suitesparse/SuiteSparse_config.h>
@@ -9,6 +6,7 @@
 
 #include "core/linear/linear_solver.h"
 #include "core/version.h"
+#include "gui/base/text.h"
 #include "gui/render/gl.h"
 #include "gui/widgets/controls.h"
 #include "gui/widgets/dialog.h"
@@ -24,12 +22,6 @@ std::string gl_text(GLenum what) {
 
 std::string dotted(int major, int minor, int patch) {
   return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
-}
-
-std::string linear_solvers() {
-  std::string names;
-  for (const std::string& name : linear_solver_names()) names += (names.empty() ? "" : ", ") + name;
-  return names;
 }
 
 std::string build_kind() {
@@ -55,7 +47,7 @@ std::vector<std::pair<std::string, std::string>> AboutPanel::facts() {
   all.emplace_back("SuiteSparse", dotted(SUITESPARSE_MAIN_VERSION, SUITESPARSE_SUB_VERSION,
                                          SUITESPARSE_SUBSUB_VERSION));
 #endif
-  all.emplace_back("Linear solvers", linear_solvers());
+  all.emplace_back("Linear solvers", joined(linear_solver_names()));
   all.emplace_back("Licence", "MIT; the libraries have their own");
   return all;
 }
@@ -63,44 +55,33 @@ std::vector<std::pair<std::string, std::string>> AboutPanel::facts() {
 void AboutPanel::draw(const PanelContext& context) {
   constexpr const char* popup = "###about";
   const Theme& theme = context.theme;
-  if (wanted_) {
-    ImGui::OpenPopup(popup);
-    facts_ = facts();
+  if (wanted_) facts_ = facts();
+  const ImVec2 padding(22, 18);
+  const float width =
+      ui::place_dialog(theme.px(560), ImVec2(theme.px(padding.x), theme.px(padding.y)));
+  const ui::Modal window(popup, std::exchange(wanted_, false), theme, {padding});
+  if (!window.shown()) return;
+  ui::text_in(theme.title, "winslow");
+  ImGui::PushTextWrapPos(theme.px(padding.x) + width);
+  ui::text_dim("Elliptic smoothing of unstructured meshes on virtual control volumes.");
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+  std::string all;
+  for (const auto& [part, version] : facts_) {
+    ui::text_dim(part);
+    ImGui::SameLine(theme.px(140));
+    ImGui::TextUnformatted(ui::elided(version, width - theme.px(140)).c_str());
+    ui::note("about/" + part);
+    ui::tooltip(version);
+    all += part + ": " + version + "\n";
   }
-  wanted_ = false;
-  const ImVec2 padding(theme.px(22), theme.px(18));
-  const float width = ui::place_dialog(theme.px(560), padding);
-  constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
-                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
-  if (ImGui::BeginPopupModal(popup, nullptr, flags)) {
-    ImGui::PushFont(theme.title);
-    ImGui::TextUnformatted("winslow");
-    ImGui::PopFont();
-    ImGui::PushTextWrapPos(padding.x + width);
-    ui::text_dim("Elliptic smoothing of unstructured meshes on virtual control volumes.");
-    ImGui::PopTextWrapPos();
-    ImGui::Spacing();
-    std::string all;
-    for (const auto& [part, version] : facts_) {
-      ui::text_dim(part);
-      ImGui::SameLine(theme.px(140));
-      ImGui::TextUnformatted(ui::elided(version, width - theme.px(140)).c_str());
-      ui::note("about/" + part);
-      ui::tooltip(version);
-      all += part + ": " + version + "\n";
-    }
-    ImGui::Spacing();
-    if (ui::button("about/copy", "Copy", {"Copy all of this, for a report of a fault."}))
-      ImGui::SetClipboardText(all.c_str());
-    ImGui::SameLine();
-    const bool closed =
-        ui::button("about/close", "Close", {"", ui::ButtonStyle::primary, true, theme.px(90)});
-    if (closed || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
-  }
-  ImGui::PopStyleVar(2);
+  ImGui::Spacing();
+  if (ui::button("about/copy", "Copy", {"Copy all of this, for a report of a fault."}))
+    ImGui::SetClipboardText(all.c_str());
+  ImGui::SameLine();
+  const bool closed =
+      ui::button("about/close", "Close", {"", ui::ButtonStyle::primary, true, theme.px(90)});
+  if (closed || ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) ImGui::CloseCurrentPopup();
 }
 
 }  // namespace winslow::gui

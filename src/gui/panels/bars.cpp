@@ -1,6 +1,4 @@
-#include "gui/panels/bars.h"
-
-#include <cstdio>
+#include "gui/panels/panels.h"
 
 #include "gui/base/text.h"
 #include "gui/document/session/session.h"
@@ -40,41 +38,6 @@ void gap(const PanelContext& context) {
   ImGui::SameLine(0, context.theme.px(3));
 }
 
-}  // namespace
-
-void Toolbar::draw(const PanelContext& context) {
-  const JobRunner& job = context.session.job();
-  tool(context, "open", Icon::open, "Open");
-  tool(context, "save", Icon::save, "Save");
-  gap(context);
-  tool(context, "undo", Icon::undo, "Undo");
-  tool(context, "redo", Icon::redo, "Redo");
-  tool(context, "reset", Icon::reset, "Revert");
-  gap(context);
-  if (job.active() && !job.paused())
-    tool(context, "pause", Icon::pause, "Pause");
-  else
-    tool(context, "run", Icon::run, job.paused() ? "Resume" : "Smooth");
-  tool(context, "step", Icon::step, "Step");
-  tool(context, "cancel", Icon::stop, "Cancel");
-  gap(context);
-  // Everybody knows these arrows, from every browser.
-  tool(context, "view_back", Icon::back, "Back", Word::where_no_icon);
-  tool(context, "view_forward", Icon::forward, "Forward", Word::where_no_icon);
-  tool(context, "fit", Icon::fit, "Fit");
-  tool(context, "fit_selection", Icon::target, "Selection");
-  tool(context, "screenshot", Icon::camera, "Picture");
-  if (context.capture.recorder().state() == Recorder::State::recording)
-    tool(context, "stop_recording", Icon::stop, "Stop recording");
-  else
-    tool(context, "record", Icon::record, "Record");
-  gap(context);
-  tool(context, "palette", Icon::search, "Find");
-  ImGui::NewLine();
-}
-
-namespace {
-
 struct State {
   std::string text;
   ImU32 color;
@@ -92,37 +55,34 @@ State mode_of(const PanelContext& context) {
 /// Digits after the decimal point that tell one pixel from the next.
 std::string coordinate(double value, double pixel) {
   const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(pixel))), 0, 15);
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return text.data();
+  return formatted(value, ("%." + std::to_string(digits) + "f").c_str());
 }
 
-std::string cursor_text(const PanelContext& context) {
-  const auto& at = context.view_state.cursor;
-  const double pixel = context.view_state.pixel;
-  return at ? "x " + coordinate(at->x(), pixel) + "   y " + coordinate(at->y(), pixel) : "";
-}
-
-/// "slat   e120   x 1.20   y 0.30   z 0.00"
-std::string seen_text(const PanelContext& context) {
+/// "slat   e120   x 1.20   y 0.30   z 0.00"; of a plane mesh the place alone.
+std::string under_mouse(const PanelContext& context) {
+  const auto& cursor = context.view_state.cursor;
   const auto& seen = context.view_state.seen;
-  if (!seen) return {};
-  const auto& markers = context.topology()->markers();
   std::string text;
-  if (seen->marker >= 0 && static_cast<std::size_t>(seen->marker) < markers.size())
-    text += markers[static_cast<std::size_t>(seen->marker)].name + "   ";
-  text += "e" + std::to_string(seen->element) + "   ";
-  if (seen->node) text += "n" + std::to_string(*seen->node) + "   ";
-  const double pixel = context.view_state.pixel;
-  for (Index k = 0; k < 3; ++k)
-    text += std::string(k > 0 ? "   " : "") + "xyz"[k] + " " + coordinate(seen->point[k], pixel);
+  if (seen) {
+    const auto& markers = context.topology()->markers();
+    if (seen->marker >= 0 && at(seen->marker) < markers.size())
+      text += markers[at(seen->marker)].name + "   ";
+    text += "e" + std::to_string(seen->element) + "   ";
+    if (seen->node) text += "n" + std::to_string(*seen->node) + "   ";
+  }
+  std::span<const double> place;
+  if (seen) place = {seen->point.data(), 3};
+  if (cursor) place = {cursor->data(), 2};
+  for (std::size_t k = 0; k < place.size(); ++k)
+    text += std::string(k > 0 ? "   " : "") + "xyz"[k] + " " +
+            coordinate(place[k], context.view_state.pixel);
   return text;
 }
 
 /// At the right end, where it takes room from the notice alone. Returns where it begins.
 float draw_cursor(const PanelContext& context) {
   const float end = ImGui::GetWindowContentRegionMax().x;
-  const std::string text = context.session.in_space() ? seen_text(context) : cursor_text(context);
+  const std::string text = under_mouse(context);
   if (text.empty()) return end;
   const float width = ImGui::CalcTextSize(text.c_str()).x;
   const float line = ImGui::GetCursorPosY();
@@ -171,7 +131,40 @@ void draw_mesh(const PanelContext& context) {
 
 }  // namespace
 
-void StatusBar::draw(const PanelContext& context) {
+/// The row of buttons beneath the menu: the most frequent commands.
+void draw_toolbar(const PanelContext& context) {
+  const JobRunner& job = context.session.job();
+  tool(context, "open", Icon::open, "Open");
+  tool(context, "save", Icon::save, "Save");
+  gap(context);
+  tool(context, "undo", Icon::undo, "Undo");
+  tool(context, "redo", Icon::redo, "Redo");
+  tool(context, "reset", Icon::reset, "Revert");
+  gap(context);
+  if (job.active() && !job.paused())
+    tool(context, "pause", Icon::pause, "Pause");
+  else
+    tool(context, "run", Icon::run, job.paused() ? "Resume" : "Smooth");
+  tool(context, "step", Icon::step, "Step");
+  tool(context, "cancel", Icon::stop, "Cancel");
+  gap(context);
+  // Everybody knows these arrows, from every browser.
+  tool(context, "view_back", Icon::back, "Back", Word::where_no_icon);
+  tool(context, "view_forward", Icon::forward, "Forward", Word::where_no_icon);
+  tool(context, "fit", Icon::fit, "Fit");
+  tool(context, "fit_selection", Icon::target, "Selection");
+  tool(context, "screenshot", Icon::camera, "Picture");
+  if (context.capture.recorder().state() == Recorder::State::recording)
+    tool(context, "stop_recording", Icon::stop, "Stop recording");
+  else
+    tool(context, "record", Icon::record, "Record");
+  gap(context);
+  tool(context, "palette", Icon::search, "Find");
+  ImGui::NewLine();
+}
+
+/// One line: the mesh, its quality, what the solver does.
+void draw_status(const PanelContext& context) {
   ImGui::PushFont(context.theme.small);
   const float end = draw_cursor(context);
   const Activity activity = activity_of(context.session);

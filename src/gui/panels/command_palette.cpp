@@ -1,10 +1,7 @@
-#include "gui/panels/command_palette.h"
+#include "gui/panels/dialogs.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <imgui_stdlib.h>
 
-#include "gui/menu/command_search.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -39,6 +36,7 @@ std::vector<CommandPalette::Row> CommandPalette::rows(const PanelContext& contex
     const std::string blocked = why_blocked(command, context);
     for (const UserCommand& item : command.items(context)) {
       UserCommand listed = item;
+      listed.group = command.group;
       listed.words += ' ' + command.words;
       add(listed, command.label + ": ", blocked);
     }
@@ -94,8 +92,6 @@ void CommandPalette::draw_query(const PanelContext& context) {
 }
 
 void CommandPalette::draw_rows(const PanelContext& context, const std::vector<Row>& rows) {
-  shown_.clear();
-  for (const Row& row : rows) shown_.push_back(row.command.id);
   if (rows.empty())
     return ui::text_dim("No command has these words, or these letters in this order.");
   const auto last = rows.size() - 1;

@@ -1,5 +1,8 @@
-#include "gui/panels/convergence_panel.h"
+#include "gui/panels/panels.h"
 
+#include <imgui.h>
+
+#include "core/outer/outer_solver.h"
 #include "gui/base/text.h"
 #include "gui/widgets/controls.h"
 #include "gui/widgets/plot_frame.h"
@@ -8,6 +11,20 @@
 namespace winslow::gui {
 
 namespace {
+
+/// Which curves are drawn.
+struct PlotSeries {
+  bool residual = true, move = true, inverted = true, sine = true;
+};
+
+/// A convergence history: residual and largest move on a logarithmic axis with the tolerance as a
+/// line; below, where there is room, the number of inverted elements (left axis) and the smallest
+/// sine (right axis). The mouse over it reads out one iteration.
+struct ConvergencePlot {
+  std::span<const IterationRecord> history;
+  std::optional<double> tolerance;
+  PlotSeries series;
+};
 
 // A function each, since the colours change with the look.
 ImU32 residual_color() { return palette().accent; }
@@ -227,9 +244,9 @@ void draw_readout(const IterationRecord& r) {
   ImGui::EndTooltip();
 }
 
-}  // namespace
-
-bool draw_convergence_key(std::string_view id, PlotSeries& series, float scale) {
+/// One line that names the curves; a click shows or hides one. Its entries have the ids
+/// ID/residual, ID/move, ID/inverted and ID/sine.
+void draw_convergence_key(std::string_view id, PlotSeries& series, float scale) {
   struct Entry {
     const char *name, *label;
     ImU32 color;
@@ -243,7 +260,6 @@ bool draw_convergence_key(std::string_view id, PlotSeries& series, float scale) 
        {"sine", "smallest sine", sine_color(), &PlotSeries::sine, false}}};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float height = ImGui::GetTextLineHeight() + 2 * scale;
-  bool changed = false;
   for (const Entry& e : entries) {
     const float width = 22 * scale + ImGui::CalcTextSize(e.label).x;
     if (&e != &entries.front()) ImGui::SameLine(0, 16 * scale);
@@ -254,10 +270,7 @@ bool draw_convergence_key(std::string_view id, PlotSeries& series, float scale) 
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string name = std::string(id) + '/' + e.name;
     bool& shown = series.*e.shown;
-    if (ImGui::InvisibleButton(name.c_str(), ImVec2(width, height))) {
-      shown = !shown;
-      changed = true;
-    }
+    if (ImGui::InvisibleButton(name.c_str(), ImVec2(width, height))) shown = !shown;
     ui::note(name);
     ui::tooltip(shown ? "Click to hide this curve." : "Click to show this curve.");
     const float y = at.y + height / 2;
@@ -270,87 +283,97 @@ bool draw_convergence_key(std::string_view id, PlotSeries& series, float scale) 
     text_at(list, ImVec2(at.x + 22 * scale, y), ImVec2(0, 0.5f),
             shown ? palette().text_dim : palette().text_faint, e.label);
   }
-  return changed;
 }
 
-std::optional<IterationRecord> draw_convergence_plot(std::string_view id,
-                                                     const ConvergencePlot& plot,
-                                                     const ImVec2& size, float scale) {
+/// Draws the plot as an item of the current window.
+void draw_convergence_plot(std::string_view id, const ConvergencePlot& plot, const ImVec2& size,
+                           float scale) {
   const ImVec2 min = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton(std::string(id).c_str(), size);
   ui::note(id);
   const bool hovered = ImGui::IsItemHovered();
   Drawing drawing(plot, min, ImVec2(min.x + size.x, min.y + size.y), scale);
-  if (!drawing.fits()) return std::nullopt;
+  if (!drawing.fits()) return;
   drawing.draw();
   const IterationRecord* record = hovered ? drawing.record_at(ImGui::GetIO().MousePos.x) : nullptr;
-  if (!record) return std::nullopt;
+  if (!record) return;
   drawing.draw_mark(*record);
   draw_readout(*record);
-  return *record;
 }
 
-namespace {
-
-std::string title_of(const LiveMesh& mesh) {
-  const JobRunner& job = mesh.work().job();
-  if (job.active()) return "Convergence: " + describe(job.command());
+/// The command whose iterations are shown: of the job, or that led to the mesh; null: none did.
+const Command* command_shown(const LiveMesh& mesh) {
+  if (mesh.work().job().active()) return &mesh.work().job().command();
   const Document* document = mesh.document();
-  if (!document || document->history().position() == 0) return "Convergence";
-  return "Convergence: " + describe(document->history().command(document->history().position()));
+  if (!document || document->history().position() == 0) return nullptr;
+  return &document->history().command(document->history().position());
 }
 
 /// Tolerance that the iterations shown were to reach: that of their command, or of the next one.
 double tolerance_of(const LiveMesh& mesh, const SmoothOptions& next) {
-  const auto of = [&](const Command& command) {
-    return std::visit(
-        [&](const auto& c) {
-          if constexpr (requires { c.smooth; }) return c.smooth.tolerance;
-          return next.tolerance;
-        },
-        command);
-  };
-  if (mesh.work().job().active()) return of(mesh.work().job().command());
-  const Document* document = mesh.document();
-  if (!document || document->history().position() == 0) return next.tolerance;
-  return of(document->history().command(document->history().position()));
+  const Command* command = command_shown(mesh);
+  const SmoothOptions* options = command ? smooth_options(*command) : nullptr;
+  return (options ? *options : next).tolerance;
 }
+
+/// The iterations of the job under way, or of the command that led to the present mesh.
+class ConvergencePanel {
+ public:
+  void draw(const PanelContext& context) {
+    const Session& session = context.session;
+    if (convergence_empty(context)) return draw_strip(context);
+    draw_header(context);
+    const auto history = session.mesh().convergence();
+    ImVec2 size = ImGui::GetContentRegionAvail();
+    size.x = std::max(size.x, 1.0f);
+    size.y = std::max(size.y, 1.0f);
+    // A field being typed in holds all sorts of numbers.
+    const double tolerance =
+        tolerance_of(session.mesh(), session.solver_settings().smooth_options());
+    ConvergencePlot plot{history, {}, series_};
+    if (tolerance > 0) plot.tolerance = tolerance;
+    draw_convergence_plot("convergence/plot", plot, size, context.theme.scale);
+  }
+
+ private:
+  void draw_header(const PanelContext& context) {
+    const Session& session = context.session;
+    const std::string label = "Export CSV";
+    const float button =
+        ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    const float room = ImGui::GetContentRegionAvail().x;
+    ImGui::AlignTextToFramePadding();
+    const float start = ImGui::GetCursorPosX();
+    ImGui::PushFont(context.theme.bold);
+    const Command* command = command_shown(session.mesh());
+    const std::string title = command ? "Convergence: " + describe(*command) : "Convergence";
+    ImGui::TextUnformatted(ui::elided(title, room - button - context.theme.px(12)).c_str());
+    ImGui::PopFont();
+    ImGui::SameLine(start + room - button);
+    if (ui::button("convergence/export", label,
+                   {"Write every iteration shown here, with all its numbers, as a table for a "
+                    "spreadsheet or a plotting program.",
+                    ui::ButtonStyle::normal, !session.mesh().convergence().empty()}))
+      context.emit(action::ShowFileDialog{FilePurpose::export_convergence});
+    draw_convergence_key("convergence", series_, context.theme.scale);
+  }
+
+  static void draw_strip(const PanelContext& context) {
+    ImGui::AlignTextToFramePadding();
+    ui::text_in(context.theme.bold, "Convergence");
+    ui::note("convergence/strip");
+    ImGui::SameLine(0, context.theme.px(16));
+    ui::text_dim(
+        ui::elided("Move a body or press Smooth: the residual of every iteration appears here.",
+                   ImGui::GetContentRegionAvail().x));
+  }
+
+  PlotSeries series_;
+};
 
 }  // namespace
 
-void ConvergencePanel::draw_strip(const PanelContext& context) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::PushFont(context.theme.bold);
-  ImGui::TextUnformatted("Convergence");
-  ImGui::PopFont();
-  ui::note("convergence/strip");
-  ImGui::SameLine(0, context.theme.px(16));
-  ui::text_dim(
-      ui::elided("Move a body or press Smooth: the residual of every iteration appears here.",
-                 ImGui::GetContentRegionAvail().x));
-}
-
-void ConvergencePanel::draw_header(const PanelContext& context) {
-  const Session& session = context.session;
-  const std::string label = "Export CSV";
-  const float button = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
-  const float room = ImGui::GetContentRegionAvail().x;
-  ImGui::AlignTextToFramePadding();
-  const float start = ImGui::GetCursorPosX();
-  ImGui::PushFont(context.theme.bold);
-  ImGui::TextUnformatted(
-      ui::elided(title_of(session.mesh()), room - button - context.theme.px(12)).c_str());
-  ImGui::PopFont();
-  ImGui::SameLine(start + room - button);
-  if (ui::button("convergence/export", label,
-                 {"Write every iteration shown here, with all its numbers, as a table for a "
-                  "spreadsheet or a plotting program.",
-                  ui::ButtonStyle::normal, !session.mesh().convergence().empty()}))
-    context.emit(action::ShowFileDialog{FilePurpose::export_convergence});
-  draw_convergence_key("convergence", series_, context.theme.scale);
-}
-
-bool ConvergencePanel::empty(const PanelContext& context) {
+bool convergence_empty(const PanelContext& context) {
   if (context.session.job().active()) return false;
   const Document* document = context.session.document();
   if (!document) return true;
@@ -361,19 +384,6 @@ bool ConvergencePanel::empty(const PanelContext& context) {
   return true;
 }
 
-void ConvergencePanel::draw(const PanelContext& context) {
-  const Session& session = context.session;
-  if (empty(context)) return draw_strip(context);
-  draw_header(context);
-  const auto history = session.mesh().convergence();
-  ImVec2 size = ImGui::GetContentRegionAvail();
-  size.x = std::max(size.x, 1.0f);
-  size.y = std::max(size.y, 1.0f);
-  // A field being typed in holds all sorts of numbers.
-  const double tolerance = tolerance_of(session.mesh(), session.solver_settings().smooth_options());
-  ConvergencePlot plot{history, {}, series_};
-  if (tolerance > 0) plot.tolerance = tolerance;
-  draw_convergence_plot("convergence/plot", plot, size, context.theme.scale);
-}
+DrawPanel convergence_panel() { return panel_of<ConvergencePanel>(); }
 
 }  // namespace winslow::gui

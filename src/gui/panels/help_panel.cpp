@@ -1,9 +1,7 @@
-#include "gui/panels/help_panel.h"
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
+#include "gui/panels/dialogs.h"
 
 #include "gui/widgets/controls.h"
+#include "gui/widgets/dialog.h"
 
 namespace winslow::gui {
 
@@ -16,6 +14,59 @@ struct Block {
   std::string title;
   std::vector<Line> lines;
 };
+
+/// What the mouse does in the picture.
+struct Gesture {
+  const char *how, *what;
+  MeshKinds serves = all_meshes;
+};
+std::span<const Gesture> mouse_gestures() {
+  constexpr MeshKinds plane = plane_meshes, volume = volume_meshes, space = meshes_in_space;
+  constexpr MeshKinds surface{MeshKind::surface};
+  static constexpr std::array<Gesture, 41> gestures{
+      {{"Click a body", "select it", plane},
+       {"Ctrl or Shift + click", "add to the selection"},
+       {"Double click a body", "zoom to it, also in the list", plane},
+       {"Drag a body", "move it; the mesh follows", plane},
+       {"Drag an arrow", "move along x or y", plane},
+       {"Drag the ring", "rotate about the pivot", plane},
+       {"Drag the pin", "put the pivot elsewhere", plane},
+       {"... with Ctrl", "snap to grid, 5 degrees, nodes", plane},
+       {"... with Shift", "a tenth of the speed", plane},
+       {"X, Y in a drag", "keep to that axis, or set free", plane},
+       {"30 Enter in a drag", "by just 30; moving: x Tab y", plane},
+       {"Enter, Esc in a drag", "accept, cancel", plane},
+       {"Drag a node (E)", "change the shape", plane},
+       {"... with the wheel", "how far it fades", plane},
+       {"Shift + click a node (E)", "take the arc up to it", plane},
+       {"Drag elsewhere", "pan; also middle or right button", plane},
+       {"Right click", "what can be done there"},
+       {"Alt + click a node", "inspect it; in tab VCV a click"},
+       {"Wheel", "zoom at the cursor"},
+       {"Ctrl + right drag", "zoom to a box"},
+       {"Click a surface", "select its marker", volume},
+       {"Click a cut", "its element", volume},
+       {"Click the surface", "the element there", surface},
+       {"Double click a surface", "zoom to it", volume},
+       {"Left drag", "turn about what is there (T: freely)", space},
+       {"Alt + click", "the node there", space},
+       {"Middle, right, Shift + left", "pan", space},
+       {"Drag an arrow", "move along it", volume},
+       {"Drag a small square", "move in its plane", volume},
+       {"Drag a ring", "turn about its axis", volume},
+       {"Drag the disc", "move across the view", volume},
+       {"... with Ctrl, Shift", "in steps, slowly", volume},
+       {"X, Y, Z in a drag", "that axis alone, or back", volume},
+       {"30 Enter in a drag", "by just 30; Tab: the next", volume},
+       {"Drag a node (E)", "change the shape", volume},
+       {"Shift + click a node or face (E)", "hold it as well", volume},
+       {"Drag a cut's arrow", "move the cut", volume},
+       {"Drag the arrow's ball", "turn the cut", volume},
+       {"Esc in a drag", "as it was before", space},
+       {"Drag the legend", "to another side or corner"},
+       {"Line in the legend", "threshold of what is isolated"}}};
+  return gestures;
+}
 
 /// What is for meshes of another kind is left out.
 std::vector<Block> blocks(MeshKind kind) {
@@ -78,92 +129,38 @@ bool dismissed() {
 void HelpPanel::draw(const PanelContext& context) {
   constexpr const char* popup = "Keys and mouse###help";
   const Theme& theme = context.theme;
-  if (wanted_) ImGui::OpenPopup(popup);
-  wanted_ = false;
   const ImVec2 screen = ImGui::GetMainViewport()->Size;
-  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always,
-                          ImVec2(0.5f, 0.5f));
-  ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(0.98f * screen.x, 0.98f * screen.y));
-  constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
-                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(20), theme.px(16)));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
+  ui::place_dialog(0, ImVec2(0, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(8), theme.px(4)));
-  if (ImGui::BeginPopupModal(popup, nullptr, flags)) {
-    const std::size_t count = screen.x > theme.px(900) ? 3 : screen.x > theme.px(620) ? 2 : 1;
-    const float gap = theme.px(22);
-    const auto n = static_cast<float>(count);
-    const float width =
-        std::min(theme.px(340), (0.96f * screen.x - 2 * theme.px(20) - (n - 1) * gap) / n);
-    ImGui::PushFont(theme.small);
-    for (const auto& column : columns_of(blocks(context.session.kind()), count)) {
-      ImGui::BeginGroup();
-      for (const Block& block : column) {
+  {
+    const ui::Modal window(popup, std::exchange(wanted_, false), theme, {ImVec2(20, 16)});
+    if (window.shown()) {
+      const std::size_t count = screen.x > theme.px(900) ? 3 : screen.x > theme.px(620) ? 2 : 1;
+      const float gap = theme.px(22);
+      const auto n = static_cast<float>(count);
+      const float width =
+          std::min(theme.px(340), (0.96f * screen.x - 2 * theme.px(20) - (n - 1) * gap) / n);
+      ImGui::PushFont(theme.small);
+      for (const auto& column : columns_of(blocks(context.session.kind()), count)) {
         ImGui::BeginGroup();
-        draw_block(theme, block, width);
+        for (const Block& block : column) {
+          ImGui::BeginGroup();
+          draw_block(theme, block, width);
+          ImGui::EndGroup();
+          ui::note("help/" + block.title);
+        }
+        ImGui::Dummy(ImVec2(width, 0));
         ImGui::EndGroup();
-        ui::note("help/" + block.title);
+        ImGui::SameLine(0, gap);
       }
-      ImGui::Dummy(ImVec2(width, 0));
-      ImGui::EndGroup();
-      ImGui::SameLine(0, gap);
+      ImGui::NewLine();
+      ui::text_colored(palette().text_faint, "Esc or a click closes this list.");
+      ui::note("help/close");
+      ImGui::PopFont();
+      if (dismissed()) ImGui::CloseCurrentPopup();
     }
-    ImGui::NewLine();
-    ui::text_colored(palette().text_faint, "Esc or a click closes this list.");
-    ui::note("help/close");
-    ImGui::PopFont();
-    if (dismissed()) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
   }
-  ImGui::PopStyleVar(3);
-}
-
-std::span<const Gesture> mouse_gestures() {
-  constexpr MeshKinds plane = plane_meshes, volume = volume_meshes, space = meshes_in_space;
-  constexpr MeshKinds surface{MeshKind::surface};
-  static constexpr std::array<Gesture, 41> gestures{
-      {{"Click a body", "select it", plane},
-       {"Ctrl or Shift + click", "add to the selection"},
-       {"Double click a body", "zoom to it, also in the list", plane},
-       {"Drag a body", "move it; the mesh follows", plane},
-       {"Drag an arrow", "move along x or y", plane},
-       {"Drag the ring", "rotate about the pivot", plane},
-       {"Drag the pin", "put the pivot elsewhere", plane},
-       {"... with Ctrl", "snap to grid, 5 degrees, nodes", plane},
-       {"... with Shift", "a tenth of the speed", plane},
-       {"X, Y in a drag", "keep to that axis, or set free", plane},
-       {"30 Enter in a drag", "by just 30; moving: x Tab y", plane},
-       {"Enter, Esc in a drag", "accept, cancel", plane},
-       {"Drag a node (E)", "change the shape", plane},
-       {"... with the wheel", "how far it fades", plane},
-       {"Shift + click a node (E)", "take the arc up to it", plane},
-       {"Drag elsewhere", "pan; also middle or right button", plane},
-       {"Right click", "what can be done there"},
-       {"Alt + click a node", "inspect it; in tab VCV a click"},
-       {"Wheel", "zoom at the cursor"},
-       {"Ctrl + right drag", "zoom to a box"},
-       {"Click a surface", "select its marker", volume},
-       {"Click a cut", "its element", volume},
-       {"Click the surface", "the element there", surface},
-       {"Double click a surface", "zoom to it", volume},
-       {"Left drag", "turn about what is there (T: freely)", space},
-       {"Alt + click", "the node there", space},
-       {"Middle, right, Shift + left", "pan", space},
-       {"Drag an arrow", "move along it", volume},
-       {"Drag a small square", "move in its plane", volume},
-       {"Drag a ring", "turn about its axis", volume},
-       {"Drag the disc", "move across the view", volume},
-       {"... with Ctrl, Shift", "in steps, slowly", volume},
-       {"X, Y, Z in a drag", "that axis alone, or back", volume},
-       {"30 Enter in a drag", "by just 30; Tab: the next", volume},
-       {"Drag a node (E)", "change the shape", volume},
-       {"Shift + click a node or face (E)", "hold it as well", volume},
-       {"Drag a cut's arrow", "move the cut", volume},
-       {"Drag the arrow's ball", "turn the cut", volume},
-       {"Esc in a drag", "as it was before", space},
-       {"Drag the legend", "to another side or corner"},
-       {"Line in the legend", "threshold of what is isolated"}}};
-  return gestures;
+  ImGui::PopStyleVar();
 }
 
 }  // namespace winslow::gui

@@ -20,10 +20,9 @@ Role role_of(const PanelContext& context, Index marker, const std::string& name)
 }
 
 void edit_slide(const PanelContext& context, const SlideOptions& slide) {
-  const SmoothOptions& before = context.session.solver_settings().smooth_options();
-  SmoothOptions after = before;
+  SmoothOptions after = context.session.solver_settings().smooth_options();
   after.slide = slide;
-  context.emit(action::EditSmoothOptions{difference(before, after)});
+  context.edit(after);
 }
 
 void toggle_sliding(const PanelContext& context, const std::string& name) {
@@ -74,12 +73,11 @@ std::string tip_of(const PanelContext& context, Role role, const std::string& na
          "as those of a far field may. Right click: periodic with another marker.";
 }
 
-void draw_pill(const Theme& theme, Role role, bool over, const MarkerRoles::Place& place) {
+void draw_pill(const Theme& theme, Role role, bool over, const ImVec2& min, const ImVec2& max) {
   const float pad = theme.px(6);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (role != Role::fixed)
-    list.AddRectFilled(ImVec2(place.min.x, place.min.y + pad / 2),
-                       ImVec2(place.max.x, place.max.y - pad / 2),
+    list.AddRectFilled(ImVec2(min.x, min.y + pad / 2), ImVec2(max.x, max.y - pad / 2),
                        role == Role::moves ? palette().accent : palette().accent_soft, theme.px(4));
   const char* text = words[static_cast<std::size_t>(role)];
   const float width = ImGui::CalcTextSize(text).x;
@@ -87,22 +85,19 @@ void draw_pill(const Theme& theme, Role role, bool over, const MarkerRoles::Plac
                     : over                ? palette().accent
                     : role == Role::fixed ? palette().text_faint
                                           : palette().text;
-  list.AddText(ImVec2((place.min.x + place.max.x - width) / 2, place.min.y + pad), ink, text);
+  list.AddText(ImVec2((min.x + max.x - width) / 2, min.y + pad), ink, text);
 }
 
 }  // namespace
 
-float MarkerRoles::width(const Theme& theme) {
-  return ImGui::CalcTextSize("periodic").x + 2 * theme.px(6);
-}
+float role_width(const Theme& theme) { return ImGui::CalcTextSize("periodic").x + 2 * theme.px(6); }
 
-void MarkerRoles::draw_word(const PanelContext& context, Index marker, const Place& place) {
+void draw_role(const PanelContext& context, Index marker, const ImVec2& min, const ImVec2& max) {
   const std::string& name = context.topology()->markers()[static_cast<std::size_t>(marker)].name;
   const Role role = role_of(context, marker, name);
-  ImGui::SetCursorScreenPos(place.min);
+  ImGui::SetCursorScreenPos(min);
   const std::string id = "marker_role/" + name;
-  const bool pressed = ImGui::InvisibleButton(
-      id.c_str(), ImVec2(place.max.x - place.min.x, place.max.y - place.min.y));
+  const bool pressed = ImGui::InvisibleButton(id.c_str(), ImVec2(max.x - min.x, max.y - min.y));
   ui::note(id);
   const bool over = ImGui::IsItemHovered() && role != Role::moves;
   ui::tooltip(tip_of(context, role, name));
@@ -111,117 +106,7 @@ void MarkerRoles::draw_word(const PanelContext& context, Index marker, const Pla
     context.emit(action::ShowContextMenu{PickedPlace{{}, {marker}, {}, {}}});
   else if (pressed && role != Role::moves)
     toggle_sliding(context, name);
-  draw_pill(context.theme, role, over, place);
-}
-
-void MarkerRoles::draw_angle(const PanelContext& context, SlideOptions slide) {
-  const MeshKind kind = context.session.kind();
-  const bool surface = kind == MeshKind::surface;
-  const char* tip =
-      surface
-          ? "Edges at which the surface turns by more than this are feature lines: their nodes "
-            "stay, or slide along them. They are drawn thick in the picture."
-          : "Where a sliding marker turns by more than this is a corner or an edge, whose nodes "
-            "stay. While it is edited, these are drawn.";
-  ui::row("Feature angle", tip);
-  if (ui::number("markers/feature_angle", slide.feature_angle, tip, "%.6g\xC2\xB0") &&
-      slide.feature_angle >= 0 && slide.feature_angle <= 180)
-    edit_slide(context, slide);
-  // Of a surface feature lines are always drawn.
-  const bool editing = !surface && ImGui::IsItemActive();
-  if (kind != MeshKind::plane &&
-      ui::checkbox("markers/features", surface ? "Slide along feature lines" : "Slide along edges",
-                   slide.features,
-                   surface ? "Nodes of feature lines and of the border slide along the curve "
-                             "through them; off: they stay."
-                           : "Nodes slide along the edges in which sliding surfaces meet; off: "
-                             "they stay."))
-    edit_slide(context, slide);
-  if (kind != MeshKind::plane) draw_reference(context);
-  if (!surface) draw_spacing(context, slide);
-  show_preview(context, editing);
-}
-
-/// Where nodes slide along curves of the mesh: in space along its edges alone.
-void MarkerRoles::draw_spacing(const PanelContext& context, SlideOptions slide) {
-  const bool along_curves = context.session.kind() == MeshKind::plane || slide.features;
-  if (!along_curves || !slide.reference.name.empty()) return;
-  const char* tip =
-      "Whether nodes keep their relative spacing along the curves that they slide on, as clusters "
-      "at leading edges and walls need it: a closed curve then turns as a whole, other stretches "
-      "follow their ends.\n"
-      "Auto: held for walls, that is markers around a body and those with flat elements, and free "
-      "for far fields.\n"
-      "Held: of all sliding markers.\n"
-      "Free: nodes go where the mesh draws them.";
-  ui::row("Spacing", tip);
-  auto chosen = static_cast<std::size_t>(slide.spacing);
-  if (!ui::combo("markers/spacing", {"Auto", "Held", "Free"}, chosen, tip)) return;
-  slide.spacing = static_cast<SlideSpacing>(chosen);
-  edit_slide(context, slide);
-}
-
-void MarkerRoles::draw_reference(const PanelContext& context) {
-  const SolverSettings& solver = context.session.solver_settings();
-  switch (reference_row(context.theme, "markers/reference",
-                        solver.smooth_options().slide.reference.name, solver.reading_reference())) {
-    case ReferenceAsk::choose:
-      return context.emit(action::ShowFileDialog{FilePurpose::reference});
-    case ReferenceAsk::clear:
-      return context.emit(action::ChooseReference{});
-    case ReferenceAsk::nothing:
-      break;
-  }
-}
-
-void MarkerRoles::show_preview(const PanelContext& context, bool on) {
-  if (on != previewed_) context.emit(action::PreviewRoles{on});
-  previewed_ = on;
-}
-
-void MarkerRoles::draw_settings(const PanelContext& context) {
-  const SlideOptions& slide = context.session.solver_settings().smooth_options().slide;
-  const bool surface = context.session.kind() == MeshKind::surface;
-  if (!surface) draw_file_pairs(context, slide);
-  if (surface || !slide.markers.empty())
-    draw_angle(context, slide);
-  else
-    show_preview(context, false);
-  if (surface || slide.given()) draw_found(context);
-}
-
-void MarkerRoles::draw_file_pairs(const PanelContext& context, SlideOptions slide) {
-  const auto& found = slide.file_pairs.found;
-  if (!found || found->pairs.empty()) return;
-  std::string tip =
-      "The file of the mesh names periodic sides: while the mesh is smoothed their "
-      "nodes move together.";
-  for (const GivenPairs& given : found->pairs)
-    if (!given.halo)
-      tip += "\n" + given.first + " and " + given.second +
-             (given.fault.empty() ? "" : ", which cannot be used: " + given.fault);
-  if (ui::checkbox("markers/file_pairs", "Periodic pairs of the file", slide.file_pairs.wanted,
-                   tip))
-    edit_slide(context, slide);
-}
-
-void MarkerRoles::draw_found(const PanelContext& context) {
-  const auto roles = context.session.inspection().roles.find();
-  if (roles && !roles->fault.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().danger);
-    ui::text_wrapped(roles->fault);
-    ImGui::PopStyleColor();
-    ui::note("markers/fault");
-  }
-  bool shown = context.view.roles;
-  std::string tip = "Nodes in colours by what they do while the mesh is smoothed.";
-  constexpr std::size_t most = 12;
-  const std::vector<std::string> lines =
-      roles ? told_once(roles->found) : std::vector<std::string>{};
-  for (std::size_t k = 0; k < lines.size() && k < most; ++k) tip += "\n" + lines[k];
-  if (lines.size() > most) tip += "\nand " + std::to_string(lines.size() - most) + " more";
-  if (ui::checkbox("markers/roles", "Show what nodes do", shown, tip))
-    context.edit_view([&](ViewOptions& view) { view.roles = shown; });
+  draw_pill(context.theme, role, over, min, max);
 }
 
 ReferenceAsk reference_row(const Theme& theme, const std::string& id, const std::string& name,
@@ -250,6 +135,115 @@ ReferenceAsk reference_row(const Theme& theme, const std::string& id, const std:
                                 {.tooltip = "Nodes slide on the mesh's own surface again.",
                                  .width = ImGui::GetFrameHeight()});
   return clear ? ReferenceAsk::clear : ReferenceAsk::nothing;
+}
+
+namespace {
+
+void draw_reference(const PanelContext& context) {
+  const SolverSettings& solver = context.session.solver_settings();
+  switch (reference_row(context.theme, "markers/reference",
+                        solver.smooth_options().slide.reference.name, solver.reading_reference())) {
+    case ReferenceAsk::choose:
+      return context.emit(action::ShowFileDialog{FilePurpose::reference});
+    case ReferenceAsk::clear:
+      return context.emit(action::ChooseReference{});
+    case ReferenceAsk::nothing:
+      break;
+  }
+}
+
+/// Where nodes slide along curves of the mesh: in space along its edges alone.
+void draw_spacing(const PanelContext& context, SlideOptions slide) {
+  const bool along_curves = context.session.kind() == MeshKind::plane || slide.features;
+  if (!along_curves || !slide.reference.name.empty()) return;
+  const char* tip =
+      "Whether nodes keep their relative spacing along the curves that they slide on, as clusters "
+      "at leading edges and walls need it: a closed curve then turns as a whole, other stretches "
+      "follow their ends.\n"
+      "Auto: held for walls, that is markers around a body and those with flat elements, and free "
+      "for far fields.\n"
+      "Held: of all sliding markers.\n"
+      "Free: nodes go where the mesh draws them.";
+  if (ui::choice("markers/spacing", "Spacing", {"Auto", "Held", "Free"}, slide.spacing, tip))
+    edit_slide(context, slide);
+}
+
+void show_preview(const PanelContext& context, bool& previewed, bool on) {
+  if (on != previewed) context.emit(action::PreviewRoles{on});
+  previewed = on;
+}
+
+void draw_angle(const PanelContext& context, SlideOptions slide, bool& previewed) {
+  const MeshKind kind = context.session.kind();
+  const bool surface = kind == MeshKind::surface;
+  const char* tip =
+      surface
+          ? "Edges at which the surface turns by more than this are feature lines: their nodes "
+            "stay, or slide along them. They are drawn thick in the picture."
+          : "Where a sliding marker turns by more than this is a corner or an edge, whose nodes "
+            "stay. While it is edited, these are drawn.";
+  ui::row("Feature angle", tip);
+  if (ui::number("markers/feature_angle", slide.feature_angle, tip, "%.6g\xC2\xB0") &&
+      slide.feature_angle >= 0 && slide.feature_angle <= 180)
+    edit_slide(context, slide);
+  // Of a surface feature lines are always drawn.
+  const bool editing = !surface && ImGui::IsItemActive();
+  if (kind != MeshKind::plane &&
+      ui::checkbox("markers/features", surface ? "Slide along feature lines" : "Slide along edges",
+                   slide.features,
+                   surface ? "Nodes of feature lines and of the border slide along the curve "
+                             "through them; off: they stay."
+                           : "Nodes slide along the edges in which sliding surfaces meet; off: "
+                             "they stay."))
+    edit_slide(context, slide);
+  if (kind != MeshKind::plane) draw_reference(context);
+  if (!surface) draw_spacing(context, slide);
+  show_preview(context, previewed, editing);
+}
+
+void draw_file_pairs(const PanelContext& context, SlideOptions slide) {
+  const auto& found = slide.file_pairs.found;
+  if (!found || found->pairs.empty()) return;
+  std::string tip =
+      "The file of the mesh names periodic sides: while the mesh is smoothed their "
+      "nodes move together.";
+  for (const GivenPairs& given : found->pairs)
+    if (!given.halo)
+      tip += "\n" + given.first + " and " + given.second +
+             (given.fault.empty() ? "" : ", which cannot be used: " + given.fault);
+  if (ui::checkbox("markers/file_pairs", "Periodic pairs of the file", slide.file_pairs.wanted,
+                   tip))
+    edit_slide(context, slide);
+}
+
+void draw_found(const PanelContext& context) {
+  const auto roles = context.session.inspection().roles.find();
+  if (roles && !roles->fault.empty()) {
+    ui::text_wrapped(roles->fault, palette().danger);
+    ui::note("markers/fault");
+  }
+  bool shown = context.view.roles;
+  std::string tip = "Nodes in colours by what they do while the mesh is smoothed.";
+  constexpr std::size_t most = 12;
+  const std::vector<std::string> lines =
+      roles ? told_once(roles->found) : std::vector<std::string>{};
+  for (std::size_t k = 0; k < lines.size() && k < most; ++k) tip += "\n" + lines[k];
+  if (lines.size() > most) tip += "\nand " + std::to_string(lines.size() - most) + " more";
+  if (ui::checkbox("markers/roles", "Show what nodes do", shown, tip))
+    context.edit_view([&](ViewOptions& view) { view.roles = shown; });
+}
+
+}  // namespace
+
+void draw_role_settings(const PanelContext& context, bool& previewed) {
+  const SlideOptions& slide = context.session.solver_settings().smooth_options().slide;
+  const bool surface = context.session.kind() == MeshKind::surface;
+  if (!surface) draw_file_pairs(context, slide);
+  if (surface || !slide.markers.empty())
+    draw_angle(context, slide, previewed);
+  else
+    show_preview(context, previewed, false);
+  if (surface || slide.given()) draw_found(context);
 }
 
 }  // namespace winslow::gui

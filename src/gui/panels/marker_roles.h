@@ -5,35 +5,17 @@
 
 namespace winslow::gui {
 
-/// What the nodes of markers do while the mesh is smoothed, in the list of markers: a word in every
-/// row, which a click changes, and below the list what belongs to it.
-class MarkerRoles {
- public:
-  static float width(const Theme& theme);
+// What the nodes of markers do while the mesh is smoothed, in the list of markers: a word in every
+// row, which a click changes, and below the list what belongs to it.
 
-  struct Place {
-    ImVec2 min, max;
-  };
-  /// The word: a click has a marker that stays slide, and the other way round; that of a periodic
-  /// side offers what it can be periodic with.
-  static void draw_word(const PanelContext& context, Index marker, const Place& place);
-  /// The list of markers that one can be periodic with, while it is open. Where the words are
-  /// drawn.
-  void draw_partners(const PanelContext& context);
-  /// Pairs of the file, feature angle, spacing, what slides along edges, and why the boundary
-  /// cannot move so: below the list.
-  void draw_settings(const PanelContext& context);
-
- private:
-  void draw_angle(const PanelContext& context, SlideOptions slide);
-  static void draw_file_pairs(const PanelContext& context, SlideOptions slide);
-  static void draw_spacing(const PanelContext& context, SlideOptions slide);
-  static void draw_reference(const PanelContext& context);
-  void draw_found(const PanelContext& context);
-  void show_preview(const PanelContext& context, bool on);
-
-  bool previewed_ = false;
-};
+/// Room that the words take, pixels.
+float role_width(const Theme& theme);
+/// The word: a click has a marker that stays slide, and the other way round; that of a periodic
+/// side offers what it can be periodic with. min, max: where it stands.
+void draw_role(const PanelContext& context, Index marker, const ImVec2& min, const ImVec2& max);
+/// Pairs of the file, feature angle, spacing, what slides along edges, and why the boundary cannot
+/// move so: below the list. previewed: roles are shown while what sets them is edited.
+void draw_role_settings(const PanelContext& context, bool& previewed);
 
 /// What a click on a row "Reference surface" asks for.
 enum class ReferenceAsk { nothing, choose, clear };

@@ -1,13 +1,14 @@
-#include "gui/panels/menus.h"
+#include "gui/panels/dialogs.h"
+#include "gui/panels/panels.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
-#include "gui/menu/context_commands.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
 
+namespace {
+
+/// A command, or a submenu of commands, as an entry of the open menu. Scripts find it as
+/// "menu/ID".
 void draw_menu_entry(const UserCommand& command, const PanelContext& context) {
   const std::string reason = why_blocked(command, context);
   const std::string label = label_of(command, context) + "###" + command.id;
@@ -29,7 +30,9 @@ void draw_menu_entry(const UserCommand& command, const PanelContext& context) {
   if (pressed) command.run(context);
 }
 
-void MenuBar::draw(const PanelContext& context) {
+}  // namespace
+
+void draw_menu_bar(const PanelContext& context) {
   for (const CommandGroup group : command_groups) {
     const std::string name(group_label(group));
     const bool open = ImGui::BeginMenu(name.c_str());
@@ -51,9 +54,7 @@ constexpr const char* context_popup = "###context_menu";
 void draw_part(const ContextPart& part, const PanelContext& context) {
   if (!part.title.empty()) {
     const float widest = context.theme.px(260);
-    ImGui::PushFont(context.theme.bold);
-    ImGui::TextUnformatted(ui::elided(part.title, widest).c_str());
-    ImGui::PopFont();
+    ui::text_in(context.theme.bold, ui::elided(part.title, widest));
     ui::note("menu_title/" + part.title);
     ui::tooltip(part.title);
   }

@@ -1,7 +1,5 @@
-#include "gui/panels/message_panels.h"
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
+#include "gui/panels/dialogs.h"
+#include "gui/panels/panels.h"
 
 #include "gui/widgets/controls.h"
 #include "gui/widgets/dialog.h"
@@ -90,7 +88,7 @@ struct Arrangement {
 Arrangement arrange(const PanelContext& context, float width) {
   const Theme& theme = context.theme;
   Arrangement a;
-  a.room = width - theme.px(2 * BannerPanel::side_padding);
+  a.room = width - theme.px(2 * banner_padding);
   const std::string whole = text_of(context);
   const float answers = flow(answers_to(*context.session.messages().banner()), a.room,
                              [&](const Answer&, bool wraps) { a.rows += wraps ? 1 : 0; });
@@ -102,7 +100,7 @@ Arrangement arrange(const PanelContext& context, float width) {
 
 }  // namespace
 
-float BannerPanel::height(const PanelContext& context, float width) {
+float banner_height(const PanelContext& context, float width) {
   const Theme& theme = context.theme;
   const Arrangement a = arrange(context, width);
   if (a.one_line) return theme.px(44);
@@ -112,7 +110,7 @@ float BannerPanel::height(const PanelContext& context, float width) {
          static_cast<float>(a.rows - 1) * ImGui::GetFrameHeightWithSpacing();
 }
 
-void BannerPanel::draw(const PanelContext& context) {
+void draw_banner(const PanelContext& context) {
   const auto& banner = context.session.messages().banner();
   if (!banner) return;
   const Arrangement a = arrange(context, ImGui::GetWindowWidth());
@@ -212,24 +210,18 @@ void draw_choices(const PanelContext& context, const Prompt& prompt, const Answe
 
 }  // namespace
 
-void PromptPanel::draw(const PanelContext& context) {
+void draw_prompt(const PanelContext& context) {
   const Prompt* prompt = context.session.messages().prompt();
   if (!prompt) return;
-  if (!ImGui::IsPopupOpen(prompt_popup)) ImGui::OpenPopup(prompt_popup);
   const ImVec2 padding(context.theme.px(20), context.theme.px(16));
   const float room = ui::place_dialog(context.theme.px(440), padding);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
-  constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
-                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.theme.px(8));
-  if (ImGui::BeginPopupModal(prompt_popup, nullptr, flags)) {
-    const Answers answers(*prompt, context.theme, room);
-    const float most = 0.96f * ImGui::GetMainViewport()->Size.y - answers.height - 2 * padding.y;
-    draw_text(*prompt, context.theme, room, most);
-    draw_choices(context, *prompt, answers, room);
-    ImGui::EndPopup();
-  }
-  ImGui::PopStyleVar(2);
+  const ui::Modal window(prompt_popup, !ImGui::IsPopupOpen(prompt_popup), context.theme,
+                         {ImVec2(20, 16)});
+  if (!window.shown()) return;
+  const Answers answers(*prompt, context.theme, room);
+  const float most = 0.96f * ImGui::GetMainViewport()->Size.y - answers.height - 2 * padding.y;
+  draw_text(*prompt, context.theme, room, most);
+  draw_choices(context, *prompt, answers, room);
 }
 
 }  // namespace winslow::gui

@@ -1,4 +1,4 @@
-#include "gui/panels/motion_panel.h"
+#include "gui/panels/panels.h"
 
 #include "core/motion/rigid_motion.h"
 #include "gui/panels/forms/option_form.h"
@@ -8,27 +8,34 @@ namespace winslow::gui {
 
 namespace {
 
+/// Share of a row that labels take.
+constexpr float motion_label_share = 0.385f;
+
 /// The fields of a vector begin where those of numbers do, with their letters before them.
 void vector_row(const char* label, const char* tip) {
   ui::row(label, tip, motion_label_share);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() - ui::letter_width());
 }
 
-/// Three fields do not fit beside a label.
-bool translate_fields(bool in_space, Vec3& translate, bool& entered) {
-  if (in_space) {
-    ui::text_dim("Translate");
-    ui::tooltip("How far the body moves, x, y and z, in units of the mesh.");
-    return ui::space_vector_field({"motion/d", "how far the body moves. Enter applies the motion."},
-                                  translate, &entered);
-  }
+/// Fields for how far a body of the plane moves. True if Enter was pressed in one of them.
+bool plane_translation(Vec3& translate) {
   vector_row("Translate", "How far the body moves, x and y, in units of the mesh.");
   Vec2 in_plane = translate.head<2>();
-  const bool changed = ui::vector_field(
-      {"motion/dx", "motion/dy", "In units of the mesh. Enter applies the motion."}, in_plane,
-      &entered);
-  translate.head<2>() = in_plane;
-  return changed;
+  bool entered = false;
+  ui::vector_field({"motion/dx", "motion/dy", "In units of the mesh. Enter applies the motion."},
+                   in_plane, &entered);
+  translate = Vec3(in_plane.x(), in_plane.y(), 0);
+  return entered;
+}
+
+/// The same in space: three fields do not fit beside a label.
+bool space_translation(Vec3& translate) {
+  ui::text_dim("Translate");
+  ui::tooltip("How far the body moves, x, y and z, in units of the mesh.");
+  bool entered = false;
+  ui::space_vector_field({"motion/d", "how far the body moves. Enter applies the motion."},
+                         translate, &entered);
+  return entered;
 }
 
 bool usable(const RigidMotion& m) {
@@ -37,139 +44,8 @@ bool usable(const RigidMotion& m) {
          pivot_of(m).allFinite() && axis.allFinite() && axis.norm() > 0;
 }
 
-}  // namespace
-
-RigidMotion MotionPanel::asked(const Session& session) const {
-  const Selection& selection = session.selection();
-  return motion_of(!session.in_space(), rotate_, translate_, selection.space_pivot(),
-                   selection.space().axis());
-}
-
-void MotionPanel::draw(const PanelContext& context) {
-  const Session& session = context.session;
-  const bool open = ui::section("section/motion", "Move the selection");
-  if (!open || session.selection().empty()) {
-    if (session.selection().motion_preview()) context.emit(action::PreviewMotion{});
-    if (!open) return;
-    if (!session.document()) return ui::text_dim("No mesh is open.");
-    return ui::text_wrapped(
-        "Click a body in the picture, or a marker in the list, to select it. Then drag its "
-        "handle, or type numbers here.");
-  }
-  const bool live = session.dragging();
-  ImGui::BeginDisabled(live);
-  const bool entered = draw_fields(context, live);
-  session.in_space() ? draw_axis_and_pivot(context) : draw_pivot(context);
-  draw_motion_steps(context);
-  ImGui::EndDisabled();
-  const bool can = !live && usable(asked(session));
-  preview(context, can && !session.in_motion());
-  const bool pressed =
-      ui::button("motion/apply", "Apply",
-                 {"Move the selected bodies and smooth the mesh around them. Enter in a field does "
-                  "so as well.",
-                  ui::ButtonStyle::primary, can, -1});
-  // Below the button, which a small window is to show.
-  ImGui::BeginDisabled(live);
-  draw_keep_outside(context);
-  draw_quality_limits(context);
-  ImGui::EndDisabled();
-  if (!can || !(pressed || entered)) return;
-  context.emit(action::PreviewMotion{});
-  context.emit(action::ApplyMotion{asked(session)});
-  rotate_ = 0;
-  translate_.setZero();
-}
-
-/// Draws where the typed motion would put the bodies, or no longer.
-void MotionPanel::preview(const PanelContext& context, bool wanted) const {
-  const auto& shown = context.session.selection().motion_preview();
-  if (!wanted) {
-    if (shown) context.emit(action::PreviewMotion{});
-    return;
-  }
-  const RigidMotion motion = asked(context.session);
-  if (!shown || shown->motion != motion) context.emit(action::PreviewMotion{motion});
-}
-
-/// True if Enter was pressed in one of them. live: they show the drag under the mouse.
-bool MotionPanel::draw_fields(const PanelContext& context, bool live) {
-  const bool in_space = context.session.in_space();
-  if (!in_space) translate_.z() = 0;  // of a mesh before, perhaps
-  const auto motion = live ? context.session.mesh().live_motion() : std::nullopt;
-  double rotate = motion ? motion->rotate : rotate_;
-  Vec3 translate = motion ? Vec3(motion->translate) : translate_;
-  bool entered = false;
-  bool changed = translate_fields(in_space, translate, entered);
-  const std::string tip =
-      std::string("Degrees about the ") +
-      (in_space ? "axis through the pivot, counter-clockwise seen from where the axis points to."
-                : "pivot, counter-clockwise positive.") +
-      " Enter applies the motion.";
-  ui::row("Rotate", tip, motion_label_share);
-  changed |= ui::number("motion/rotate", rotate, tip, "%.6g\xC2\xB0");
-  entered |= ui::entered();
-  if (changed && !live) {
-    rotate_ = rotate;
-    translate_ = translate;
-  }
-  return entered;
-}
-
-/// In the plane: the point, and the places that have names.
-void MotionPanel::draw_pivot(const PanelContext& context) {
-  Vec2 pivot = context.session.selection().pivot();
-  vector_row("Pivot", "The point about which the body turns. Drag it in the picture, or type it.");
-  const ui::VectorField field{"motion/pivot_x", "motion/pivot_y",
-                              "The point about which the body turns."};
-  if (ui::vector_field(field, pivot) && pivot.allFinite())
-    context.emit(action::SetPivot{pivot, {}});
-  constexpr std::array<PivotPlace, 4> places{PivotPlace::centre, PivotPlace::centroid,
-                                             PivotPlace::leading_edge, PivotPlace::trailing_edge};
-  constexpr const char* tip =
-      "Where the pivot is: the centre of the bounding box, the centroid of the enclosed area, the "
-      "sharper end of the longest chord (trailing edge) or its other end (leading edge). Ctrl "
-      "snaps to these and to nodes while the pivot is dragged in the picture.";
-  ui::row("Pivot at", tip, motion_label_share);
-  std::vector<std::string> names{"Centre", "Centroid", "Leading edge", "Trailing edge"};
-  std::size_t chosen = names.size();
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (context.session.selection().pivot_place() == places[i]) chosen = i;
-  if (chosen == names.size()) names.emplace_back("As typed or dragged");
-  if (ui::combo("motion/pivot_place", names, chosen, tip) && chosen < places.size())
-    context.emit(action::SetPivot{{}, places[chosen]});
-}
-
-/// In space: where the axis is, and where it comes from.
-void MotionPanel::draw_axis_and_pivot(const PanelContext& context) {
-  const Selection& selection = context.session.selection();
-  draw_sources(context);
-  Vec3 axis = selection.space().axis();
-  constexpr const char* tip = "The axis about which the body turns: x, y, z, or any other.";
-  ui::row("Axis", tip, motion_label_share);
-  std::vector<std::string> names{"x", "y", "z"};
-  std::size_t chosen = 3;
-  for (Index k = 0; k < 3; ++k)
-    if (axis == Vec3::Unit(k)) chosen = static_cast<std::size_t>(k);
-  if (chosen == 3) names.emplace_back("Another one");
-  if (ui::combo("motion/axis", names, chosen, tip) && chosen < 3)
-    context.emit(action::SetSpaceAxis{Vec3::Unit(static_cast<Index>(chosen))});
-  if (ui::space_vector_field({"motion/axis", "the direction of the axis, of any length but 0."},
-                             axis))
-    context.emit(action::SetSpaceAxis{axis});
-  Vec3 pivot = selection.space_pivot();
-  ui::row("Pivot", "A point of the axis about which the body turns.", motion_label_share);
-  const bool elsewhere = selection.space().source().from != PivotFrom::centre;
-  if (ui::button("motion/pivot_centre", elsewhere ? "To the centre" : "At the centre",
-                 {"The centre of the bounding box of what is selected.", ui::ButtonStyle::normal,
-                  elsewhere, -1}))
-    context.emit(action::SetSpacePivot{});
-  if (ui::space_vector_field({"motion/pivot", "a point of the axis."}, pivot) && pivot.allFinite())
-    context.emit(action::SetSpacePivot{pivot});
-}
-
 /// Buttons that let the next click in the picture pick pivot and axis.
-void MotionPanel::draw_sources(const PanelContext& context) {
+void draw_sources(const PanelContext& context) {
   struct Source {
     PivotFrom from;
     const char *id, *label, *tip;
@@ -200,7 +76,78 @@ void MotionPanel::draw_sources(const PanelContext& context) {
   }
 }
 
-namespace {
+/// In the plane: the point, and the places that have names.
+void draw_pivot(const PanelContext& context) {
+  Vec2 pivot = context.session.selection().pivot();
+  vector_row("Pivot", "The point about which the body turns. Drag it in the picture, or type it.");
+  const ui::VectorField field{"motion/pivot_x", "motion/pivot_y",
+                              "The point about which the body turns."};
+  if (ui::vector_field(field, pivot) && pivot.allFinite())
+    context.emit(action::SetPivot{pivot, {}});
+  constexpr std::array<PivotPlace, 4> places{PivotPlace::centre, PivotPlace::centroid,
+                                             PivotPlace::leading_edge, PivotPlace::trailing_edge};
+  constexpr const char* tip =
+      "Where the pivot is: the centre of the bounding box, the centroid of the enclosed area, "
+      "the sharper end of the longest chord (trailing edge) or its other end (leading edge). "
+      "Ctrl snaps to these and to nodes while the pivot is dragged in the picture.";
+  std::vector<std::string> names{"Centre", "Centroid", "Leading edge", "Trailing edge"};
+  std::size_t chosen = names.size();
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (context.session.selection().pivot_place() == places[i]) chosen = i;
+  if (chosen == names.size()) names.emplace_back("As typed or dragged");
+  if (ui::choice("motion/pivot_place", "Pivot at", names, chosen, tip, motion_label_share) &&
+      chosen < places.size())
+    context.emit(action::SetPivot{{}, places[chosen]});
+}
+
+/// In space: where the axis is, and where it comes from.
+void draw_axis_and_pivot(const PanelContext& context) {
+  const Selection& selection = context.session.selection();
+  draw_sources(context);
+  Vec3 axis = selection.space().axis();
+  std::vector<std::string> names{"x", "y", "z"};
+  std::size_t chosen = 3;
+  for (Index k = 0; k < 3; ++k)
+    if (axis == Vec3::Unit(k)) chosen = static_cast<std::size_t>(k);
+  if (chosen == 3) names.emplace_back("Another one");
+  if (ui::choice("motion/axis", "Axis", names, chosen,
+                 "The axis about which the body turns: x, y, z, or any other.",
+                 motion_label_share) &&
+      chosen < 3)
+    context.emit(action::SetSpaceAxis{Vec3::Unit(static_cast<Index>(chosen))});
+  if (ui::space_vector_field({"motion/axis", "the direction of the axis, of any length but 0."},
+                             axis))
+    context.emit(action::SetSpaceAxis{axis});
+  Vec3 pivot = selection.space_pivot();
+  ui::row("Pivot", "A point of the axis about which the body turns.", motion_label_share);
+  const bool elsewhere = selection.space().source().from != PivotFrom::centre;
+  if (ui::button("motion/pivot_centre", elsewhere ? "To the centre" : "At the centre",
+                 {"The centre of the bounding box of what is selected.", ui::ButtonStyle::normal,
+                  elsewhere, -1}))
+    context.emit(action::SetSpacePivot{});
+  if (ui::space_vector_field({"motion/pivot", "a point of the axis."}, pivot) && pivot.allFinite())
+    context.emit(action::SetSpacePivot{pivot});
+}
+
+/// What the panel has for meshes of the plane, and for those of space.
+struct MotionForm {
+  bool (*draw_translation)(Vec3&);
+  void (*draw_pivot)(const PanelContext&);
+  const char *turns_about, *round_label, *round;
+  bool in_plane;
+};
+constexpr MotionForm plane_form{plane_translation, draw_pivot, "pivot, counter-clockwise positive.",
+                                "Circle",          "circle",   true};
+constexpr MotionForm space_form{
+    space_translation,
+    draw_axis_and_pivot,
+    "axis through the pivot, counter-clockwise seen from where the axis points to.",
+    "Sphere",
+    "sphere",
+    false};
+const MotionForm& form_for(const Session& session) {
+  return session.in_space() ? space_form : plane_form;
+}
 
 enum Shape : std::size_t { no_region, ball_region, box_region };
 
@@ -232,53 +179,129 @@ KeepOutside first(Shape shape, const LiveMesh& mesh, const Selection& selection)
   return around(shape, mesh.coordinates(), mesh.topology()->markers().nodes_of(selection.names()));
 }
 
-}  // namespace
-
+/// Rows for the region outside which nothing moves (SmoothOptions::keep_outside): none, a circle
+/// about the selection (of a volume mesh a sphere), a box around it.
 void draw_keep_outside(const PanelContext& context) {
   const Session& session = context.session;
-  const bool space = session.in_space();
-  const std::string tip =
-      std::string("Nodes outside a ") + (space ? "sphere" : "circle") +
-      " about the body, or outside a box, stay where they are, bit by bit. The region is drawn in "
-      "the picture. A body that moves far needs a large one.";
+  const MotionForm& form = form_for(session);
   SmoothOptions options = session.solver_settings().smooth_options();
   KeepOutside& keep = options.keep_outside;
   auto chosen = static_cast<std::size_t>(shape_of(keep));
-  ui::row("Keep outside", tip, motion_label_share);
-  bool changed = ui::combo("motion/keep_outside", {"Nothing", space ? "Sphere" : "Circle", "Box"},
-                           chosen, tip);
+  bool changed = ui::choice(
+      "motion/keep_outside", "Keep outside", {"Nothing", form.round_label, "Box"}, chosen,
+      "Nodes outside a " + std::string(form.round) +
+          " about the body, or outside a box, stay where they are, bit by bit. The region is drawn "
+          "in the picture. A body that moves far needs a large one.",
+      motion_label_share);
   if (changed) keep = first(static_cast<Shape>(chosen), session.mesh(), session.selection());
   changed |= ui::option_form("motion/region", option_table(keep));
-  if (changed)
-    context.emit(
-        action::EditSmoothOptions{difference(session.solver_settings().smooth_options(), options)});
+  if (changed) context.edit(options);
 }
 
+/// In how many steps bodies go to their places.
 void draw_motion_steps(const PanelContext& context) {
-  constexpr std::array<int, 4> increments{0, 1, 8, 32};
-  const std::vector<std::string> names{"Automatic", "At once", "8 steps", "32 steps"};
-  const MotionOptions& now = context.session.solver_settings().motion_options();
-  std::size_t chosen = 0;
-  for (std::size_t i = 0; i < increments.size(); ++i)
-    if (increments[i] == now.increments) chosen = i;
-  constexpr const char* tip =
-      "In how many steps the body goes to its place, the mesh smoothed after each. Automatic: "
-      "through valid meshes, in steps as long as they can be; by the fixed point at once, and in "
-      "steps only if that leaves the mesh tangled.";
-  ui::row("Steps", tip, motion_label_share);
-  if (ui::combo("motion/steps", names, chosen, tip)) {
-    MotionOptions options = now;
-    options.increments = increments[chosen];
-    context.emit(action::EditMotionOptions{difference(now, options)});
-  }
+  static constexpr std::array<ui::Named<int>, 4> steps{
+      {{0, "Automatic"}, {1, "At once"}, {8, "8 steps"}, {32, "32 steps"}}};
+  MotionOptions options = context.session.solver_settings().motion_options();
+  if (ui::choice("motion/steps", "Steps", steps, options.increments,
+                 "In how many steps the body goes to its place, the mesh smoothed after each. "
+                 "Automatic: through valid meshes, in steps as long as they can be; by the fixed "
+                 "point at once, and in steps only if that leaves the mesh tangled.",
+                 motion_label_share))
+    context.edit(options);
 }
 
+/// Limits of quality: they hold for every motion and deformation from here on, dragged or typed.
 void draw_quality_limits(const PanelContext& context) {
   const SolverSettings& solver = context.session.solver_settings();
   MotionOptions options = solver.motion_options();
-  if (ui::quality_limits_form("motion", options.floor, context.session.in_space() ? 3 : 2,
+  if (ui::quality_limits_form("motion", options.floor, cell_dimension_of(context.session.kind()),
                               follows_path(options, solver.smooth_options())))
-    context.emit(action::EditMotionOptions{difference(solver.motion_options(), options)});
+    context.edit(options);
 }
+
+/// Moves the selected bodies by numbers; shows the numbers of a drag.
+class MotionPanel {
+ public:
+  void draw(const PanelContext& context) {
+    const Session& session = context.session;
+    const bool open = ui::section("section/motion", "Move the selection");
+    if (!open || session.selection().empty()) {
+      if (session.selection().motion_preview()) context.emit(action::PreviewMotion{});
+      if (!open) return;
+      if (!session.document()) return ui::text_dim("No mesh is open.");
+      return ui::text_wrapped(
+          "Click a body in the picture, or a marker in the list, to select it. Then drag its "
+          "handle, or type numbers here.");
+    }
+    const bool live = session.dragging();
+    ImGui::BeginDisabled(live);
+    const bool entered = draw_fields(context, live);
+    form_for(session).draw_pivot(context);
+    draw_motion_steps(context);
+    ImGui::EndDisabled();
+    const bool can = !live && usable(asked(session));
+    preview(context, can && !session.in_motion());
+    const bool pressed = ui::button("motion/apply", "Apply",
+                                    {"Move the selected bodies and smooth the mesh around them. "
+                                     "Enter in a field does so as well.",
+                                     ui::ButtonStyle::primary, can, -1});
+    // Below the button, which a small window is to show.
+    ImGui::BeginDisabled(live);
+    draw_keep_outside(context);
+    draw_quality_limits(context);
+    ImGui::EndDisabled();
+    if (!can || !(pressed || entered)) return;
+    context.emit(action::PreviewMotion{});
+    context.emit(action::ApplyMotion{asked(session)});
+    rotate_ = 0;
+    translate_.setZero();
+  }
+
+ private:
+  /// True if Enter was pressed in one of them. live: they show the drag under the mouse.
+  bool draw_fields(const PanelContext& context, bool live) {
+    const MotionForm& form = form_for(context.session);
+    const auto motion = live ? context.session.mesh().live_motion() : std::nullopt;
+    double rotate = motion ? motion->rotate : rotate_;
+    Vec3 translate = motion ? Vec3(motion->translate) : translate_;
+    bool entered = form.draw_translation(translate);
+    const std::string tip =
+        "Degrees about the " + std::string(form.turns_about) + " Enter applies the motion.";
+    ui::row("Rotate", tip, motion_label_share);
+    ui::number("motion/rotate", rotate, tip, "%.6g\xC2\xB0");
+    entered |= ui::entered();
+    if (!live) {
+      rotate_ = rotate;
+      translate_ = translate;
+    }
+    return entered;
+  }
+
+  RigidMotion asked(const Session& session) const {
+    const Selection& selection = session.selection();
+    return motion_of(form_for(session).in_plane, rotate_, translate_, selection.space_pivot(),
+                     selection.space().axis());
+  }
+
+  /// Draws where the typed motion would put the bodies, or no longer.
+  void preview(const PanelContext& context, bool wanted) const {
+    const auto& shown = context.session.selection().motion_preview();
+    if (!wanted) {
+      if (shown) context.emit(action::PreviewMotion{});
+      return;
+    }
+    const RigidMotion motion = asked(context.session);
+    if (!shown || shown->motion != motion) context.emit(action::PreviewMotion{motion});
+  }
+
+  // As typed; pivot and axis are the session's.
+  double rotate_ = 0;  // degrees
+  Vec3 translate_{0, 0, 0};
+};
+
+}  // namespace
+
+DrawPanel motion_panel() { return panel_of<MotionPanel>(); }
 
 }  // namespace winslow::gui

@@ -1,4 +1,5 @@
-#include "gui/panels/picture_dialogs.h"
+#include "gui/panels/dialogs.h"
+#include "gui/panels/panels.h"
 
 #include "core/error.h"
 #include "gui/base/text.h"
@@ -19,13 +20,14 @@ constexpr std::array<Choice, 4> choices{
 
 }  // namespace
 
-void PictureSettings::set(const PictureSpec& spec, double width, double height) {
+void PictureSettings::set(const PictureSpec& spec, const ScreenVector& on_screen) {
   spec_ = spec;
-  width_ = spec.size ? (*spec.size)[0] : static_cast<int>(std::lround(width));
-  height_ = spec.size ? (*spec.size)[1] : static_cast<int>(std::lround(height));
+  width_ = spec.size ? (*spec.size)[0] : static_cast<int>(std::lround(on_screen.x()));
+  height_ = spec.size ? (*spec.size)[1] : static_cast<int>(std::lround(on_screen.y()));
 }
 
-void PictureSettings::draw(const std::string& id, bool film, double width, double height) {
+void PictureSettings::draw(const std::string& id, bool film, const ScreenVector& window,
+                           const ScreenVector& mesh) {
   std::vector<std::string> labels;
   std::size_t chosen = choices.size() - 1;
   for (std::size_t k = 0; k < choices.size(); ++k) {
@@ -55,7 +57,8 @@ void PictureSettings::draw(const std::string& id, bool film, double width, doubl
   ui::checkbox(id + "/legend", "Legend", spec_.legend, "The bar that says what the colours mean");
   error_.clear();
   try {
-    const auto size = picture_size(spec_, width, height);
+    const ScreenVector& extent = spec_.panels ? window : mesh;
+    const auto size = picture_size(spec_, extent.x(), extent.y());
     ui::text_dim(grouped(size[0]) + " x " + grouped(size[1]) + " pixels");
   } catch (const Error& wrong) {
     error_ = wrong.what();
@@ -64,18 +67,12 @@ void PictureSettings::draw(const std::string& id, bool film, double width, doubl
   }
 }
 
-void PictureDialog::set_extents(const ScreenVector& window, const ScreenVector& mesh) {
-  window_ = window;
-  mesh_ = mesh;
-}
-
-void PictureDialog::draw(const PanelContext& context) {
-  if (std::exchange(opened_, false))
-    settings_.set(context.capture.picture(), window_.x(), window_.y());
+void PictureDialog::draw(const PanelContext& context, const ScreenVector& window,
+                         const ScreenVector& mesh) {
+  if (std::exchange(opened_, false)) settings_.set(context.capture.picture(), window);
   ui::Dialog dialog("###picture", "Save a picture", wanted_, context.theme);
   if (!dialog.shown()) return;
-  const ScreenVector& extent = settings_.spec().panels ? window_ : mesh_;
-  settings_.draw("picture", false, extent.x(), extent.y());
+  settings_.draw("picture", false, window, mesh);
   ImGui::Spacing();
   ui::text_dim("A name that ends in .svg or .pdf gives vector graphics");
   ui::text_dim("of the mesh alone, for print.");
@@ -96,15 +93,11 @@ void RecordDialog::open(std::optional<std::size_t> step) {
   wanted_ = opened_ = true;
 }
 
-void RecordDialog::set_extents(const ScreenVector& window, const ScreenVector& mesh) {
-  window_ = window;
-  mesh_ = mesh;
-}
-
-void RecordDialog::draw(const PanelContext& context) {
+void RecordDialog::draw(const PanelContext& context, const ScreenVector& window,
+                        const ScreenVector& mesh) {
   if (std::exchange(opened_, false)) {
     spec_ = context.capture.recording();
-    settings_.set(spec_.picture, window_.x(), window_.y());
+    settings_.set(spec_.picture, window);
   }
   ui::Dialog dialog("###record", step_ ? "Record this step again" : "Record the mesh", wanted_,
                     context.theme);
@@ -115,7 +108,8 @@ void RecordDialog::draw(const PanelContext& context) {
       ui::text_dim(describe(document->history().command(*step_)));
   } else {
     std::vector<std::string> ways{"Whenever the mesh moved", "By the clock"};
-    if (context.session.in_space()) ways.emplace_back("While the view turns once");
+    if (meshes_in_space.contains(context.session.kind()))
+      ways.emplace_back("While the view turns once");
     auto when = std::min(static_cast<std::size_t>(spec_.when), ways.size() - 1);
     ui::row("A frame",
             "Whenever the mesh has moved: no frame shows the same mesh twice. By the clock, with "
@@ -132,8 +126,7 @@ void RecordDialog::draw(const PanelContext& context) {
   ui::row("Frames a second", "Of the film");
   ui::number("record/rate", spec_.rate);
   spec_.rate = std::clamp(spec_.rate, 1, fastest);
-  const ScreenVector& extent = settings_.spec().panels ? window_ : mesh_;
-  settings_.draw("record", true, extent.x(), extent.y());
+  settings_.draw("record", true, window, mesh);
   ui::checkbox("record/keep", "Keep the PNG frames beside the film", spec_.keep_frames);
   const auto answer = dialog.buttons("record", "Choose file...", settings_.error().empty());
   if (!answer.accepted) return;
@@ -165,7 +158,7 @@ std::string state_text(const Recorder& recorder) {
 
 }  // namespace
 
-void RecordingPanel::draw(const PanelContext& context) {
+void draw_recording(const PanelContext& context) {
   const Recorder& recorder = context.capture.recorder();
   const bool recording = recorder.state() == Recorder::State::recording;
   const ImVec2 at = ImGui::GetCursorScreenPos();

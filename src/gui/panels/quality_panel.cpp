@@ -1,9 +1,8 @@
 #include "gui/panels/quality_panel.h"
 
-#include <cstdio>
-
 #include "core/quality/mesh_change.h"
 #include "gui/base/text.h"
+#include "gui/panels/panels.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -88,30 +87,26 @@ void draw_rows(const PanelContext& context, const std::vector<QualityRow>& rows,
   ImGui::PopStyleVar();
 }
 
+void draw_choice(const PanelContext& context) {
+  ViewOptions view = context.view;
+  ui::choice("quality/before", "Compare with", {"As opened", "Before last command"}, view.before,
+             "What the mesh is compared with: the mesh as it was opened, or as it was before the "
+             "last command. The comparison in the viewport (View) shows the same state.",
+             0.32f);
+  context.edit(view);
+}
+
 }  // namespace
 
-void QualityPanel::draw(const PanelContext& context) {
-  if (!context.session.document()) {
-    ui::text_dim("No mesh is open.");
-    return;
-  }
+void draw_quality(const PanelContext& context) {
+  if (!context.session.document()) return ui::text_dim("No mesh is open.");
   draw_choice(context);
   const Validity* shown = context.shown ? &context.shown->validity : nullptr;
   draw_rows(context, quality_table(report_before(context), report_of(context), shown),
             "quality/table");
 }
 
-void QualityPanel::draw_choice(const PanelContext& context) {
-  auto which = static_cast<std::size_t>(context.view.before);
-  constexpr const char* tip =
-      "What the mesh is compared with: the mesh as it was opened, or as it was before the last "
-      "command. The comparison in the viewport (View) shows the same state.";
-  ui::row("Compare with", tip, 0.32f);
-  if (!ui::combo("quality/before", {"As opened", "Before last command"}, which, tip)) return;
-  context.edit_view([&](ViewOptions& view) { view.before = static_cast<BeforeState>(which); });
-}
-
-void WallPanel::draw(const PanelContext& context) {
+void draw_walls(const PanelContext& context) {
   if (!context.session.document()) return;
   const QualityReport& now = report_of(context);
   if (now.walls.walls.empty() || !ui::section("section/walls", "Walls")) return;
@@ -119,8 +114,7 @@ void WallPanel::draw(const PanelContext& context) {
   draw_rows(context, wall_table(before ? &before->walls : nullptr, now.walls), "quality/walls");
 }
 
-void DeviationPanel::draw(const PanelContext& context) {
-  if (context.session.kind() != MeshKind::surface) return;
+void draw_deviation(const PanelContext& context) {
   if (!ui::section("section/deviation", "Deviation")) return;
   const auto& measured = context.session.quality().latest();
   const bool known = measured && measured->deviation;
@@ -142,11 +136,9 @@ using Text = std::string (*)(double);
 
 /// Three significant digits, narrow enough for a column whatever the unit.
 std::string wall_number(double value) {
-  char text[24];
   const double size = std::abs(value);
   const bool plain = size == 0 || (size >= 0.01 && size < 1000);
-  std::snprintf(text, sizeof text, plain ? "%.3g" : "%.2e", value);
-  return text;
+  return formatted(value, plain ? "%.3g" : "%.2e");
 }
 
 /// text: writes the numbers.

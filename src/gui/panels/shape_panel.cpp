@@ -1,4 +1,4 @@
-#include "gui/panels/shape_panel.h"
+#include "gui/panels/panels.h"
 
 #include "gui/widgets/controls.h"
 
@@ -35,129 +35,134 @@ std::string chosen_patch(const ShapeEdit& edit) {
          " Drag any of them, or an arrow.";
 }
 
-const char* chosen_arc(const ShapeEdit& edit) {
+std::string chosen_arc(const ShapeEdit& edit) {
   if (!edit.arc) return "Drag a boundary node. Shift+click takes the arc up to another one.";
   return edit.arc->first == edit.arc->last ? "One node is held. Drag it in the picture."
                                            : "An arc is held. Drag any of its nodes.";
 }
 
+/// Which way the boundary of a plane mesh goes; the sine runs at right angles to that.
+void draw_plane_axes(SineDeformation& sine) {
+  std::size_t direction = axis_of(sine) == 0 ? 1 : 0;
+  if (axis_of(sine) == 2 || sine.along) set_axes(sine, 1, std::nullopt);
+  if (ui::choice("shape/direction", "Direction", {"y", "x"}, direction,
+                 "Which way the boundary is displaced; the sine runs along the body at right "
+                 "angles to it.",
+                 label_share))
+    set_axes(sine, direction == 1 ? 0 : 1, std::nullopt);
+}
+
+/// In space it is said along what the sine runs, too.
+void draw_space_axes(SineDeformation& sine) {
+  std::size_t direction = axis_of(sine), along = direction == 2 ? 0 : 2;
+  for (std::size_t k = 0; k < 3 && sine.along; ++k)
+    if (*sine.along == Vec3::Unit(static_cast<Index>(k))) along = k;
+  bool changed = !sine.along;
+  changed |= ui::choice("shape/direction", "Direction", {"x", "y", "z"}, direction,
+                        "Which way the boundary is displaced.", label_share);
+  changed |= ui::choice("shape/along", "Runs along", {"x", "y", "z"}, along,
+                        "The axis along which the sine runs, from one end of the body to the "
+                        "other. At right angles to it nothing changes.",
+                        label_share);
+  if (changed) set_axes(sine, direction, along);
+}
+
+/// What the panel has for meshes of the plane, and for those of space.
+struct ShapeForm {
+  const char* edit_tip;
+  std::string (*held)(const ShapeEdit&);
+  void (*draw_axes)(SineDeformation&);
+  const char* ends;  ///< where the sine starts and ends
+};
+constexpr ShapeForm plane_form{"Drag single nodes or arcs of a boundary instead of whole bodies.",
+                               chosen_arc, draw_plane_axes,
+                               "Start and end are those of smallest and largest x (for direction "
+                               "y)."};
+constexpr ShapeForm space_form{"Drag nodes or patches of a surface instead of whole bodies.",
+                               chosen_patch, draw_space_axes,
+                               "Start and end are those along the axis in which the sine runs: of "
+                               "its smallest and its largest coordinate."};
+
+/// Changes of shape: by hand, or a sine along the body with a preview of its outline.
+class ShapePanel {
+ public:
+  void draw(const PanelContext& context) {
+    if (!ui::section("section/shape", "Change the shape")) {
+      if (context.session.selection().deformation_preview())
+        context.emit(action::PreviewDeformation{});
+      return;
+    }
+    if (!context.session.document()) return ui::text_dim("No mesh is open.");
+    const ShapeForm& form = context.session.in_space() ? space_form : plane_form;
+    ImGui::BeginDisabled(context.session.dragging());
+    draw_by_hand(context, form);
+    draw_sine(context, form);
+    ImGui::EndDisabled();
+  }
+
+ private:
+  static void draw_by_hand(const PanelContext& context, const ShapeForm& form) {
+    const ShapeEdit& edit = context.session.selection().shape_edit();
+    bool active = edit.active;
+    if (ui::checkbox("shape/edit", "Edit boundary nodes (E)", active, form.edit_tip))
+      context.emit(action::SetShapeEdit{active, edit.radius});
+    if (!edit.active) return;
+    double radius = edit.radius;
+    constexpr const char* tip =
+        "How far along the boundary a drag fades out, in units of the mesh; 0 moves the held nodes "
+        "alone. The wheel changes it during a drag.";
+    ui::row("Falloff", tip, label_share);
+    if (ui::number("shape/radius", radius, tip) && std::isfinite(radius))
+      context.emit(action::SetShapeEdit{true, std::max(radius, 0.0)});
+    ui::text_wrapped(form.held(edit));
+  }
+
+  void draw_sine(const PanelContext& context, const ShapeForm& form) {
+    const Session& session = context.session;
+    ui::text_dim("Sine along the selected body");
+    if (session.selection().empty()) return ui::text_wrapped("Select a body first.");
+    draw_fields(form);
+    ui::checkbox("shape/preview", "Preview", preview_,
+                 "Draw where the boundary would be, before anything is done.");
+    const auto& shown = session.selection().deformation_preview();
+    const bool wanted = preview_ && sensible(typed_) && !session.in_motion();
+    if (wanted && (!shown || shown->shape != typed_))
+      context.emit(action::PreviewDeformation{typed_});
+    else if (!wanted && shown)
+      context.emit(action::PreviewDeformation{});
+    if (ui::button("shape/apply", "Apply",
+                   {"Deform the selected bodies and smooth the mesh around them.",
+                    ui::ButtonStyle::primary, sensible(typed_) && !session.in_motion(), -1})) {
+      context.emit(action::ApplyDeformation{typed_});
+      typed_.amplitude = 0;
+    }
+  }
+
+  void draw_fields(const ShapeForm& form) {
+    const auto field = [](const char* id, const char* label, double& value, const char* tip) {
+      ui::row(label, tip, label_share);
+      ui::number(id, value, tip);
+    };
+    field("shape/amplitude", "Amplitude", typed_.amplitude,
+          "Largest displacement, in units of the mesh; negative turns the sine over.");
+    field("shape/waves", "Waves", typed_.waves, "Full periods over the length of the body.");
+    form.draw_axes(typed_);
+    ui::choice("shape/fade", "Fade", {"None", "At the start", "At the end", "At both ends"},
+               typed_.fade,
+               "Where the displacement fades to nothing, so that an edge stays where it is. " +
+                   std::string(form.ends),
+               label_share);
+    if (typed_.fade != Fade::none)
+      field("shape/fade_length", "Fade length", typed_.fade_length,
+            "Share of the body's length over which it fades, up to 0.5.");
+  }
+
+  SineDeformation typed_;
+  bool preview_ = true;
+};
+
 }  // namespace
 
-void ShapePanel::draw(const PanelContext& context) {
-  if (!ui::section("section/shape", "Change the shape")) {
-    if (context.session.selection().deformation_preview())
-      context.emit(action::PreviewDeformation{});
-    return;
-  }
-  if (!context.session.document()) {
-    ui::text_dim("No mesh is open.");
-    return;
-  }
-  ImGui::BeginDisabled(context.session.dragging());
-  draw_by_hand(context);
-  draw_sine(context);
-  ImGui::EndDisabled();
-}
-
-void ShapePanel::draw_by_hand(const PanelContext& context) {
-  const ShapeEdit& edit = context.session.selection().shape_edit();
-  bool active = edit.active;
-  if (ui::checkbox("shape/edit", "Edit boundary nodes (E)", active,
-                   context.session.in_space()
-                       ? "Drag nodes or patches of a surface instead of whole bodies."
-                       : "Drag single nodes or arcs of a boundary instead of whole bodies."))
-    context.emit(action::SetShapeEdit{active, edit.radius});
-  if (!edit.active) return;
-  double radius = edit.radius;
-  constexpr const char* tip =
-      "How far along the boundary a drag fades out, in units of the mesh; 0 moves the held nodes "
-      "alone. The wheel changes it during a drag.";
-  ui::row("Falloff", tip, label_share);
-  if (ui::number("shape/radius", radius, tip) && std::isfinite(radius))
-    context.emit(action::SetShapeEdit{true, std::max(radius, 0.0)});
-  ui::text_wrapped(context.session.in_space() ? chosen_patch(edit) : chosen_arc(edit));
-}
-
-void ShapePanel::draw_sine(const PanelContext& context) {
-  const Session& session = context.session;
-  ui::text_dim("Sine along the selected body");
-  if (session.selection().empty()) {
-    ui::text_wrapped("Select a body first.");
-    return;
-  }
-  draw_fields(session.in_space());
-  ui::checkbox("shape/preview", "Preview", preview_,
-               "Draw where the boundary would be, before anything is done.");
-  const auto& shown = session.selection().deformation_preview();
-  const bool wanted = preview_ && sensible(typed_) && !session.in_motion();
-  if (wanted && (!shown || shown->shape != typed_))
-    context.emit(action::PreviewDeformation{typed_});
-  else if (!wanted && shown)
-    context.emit(action::PreviewDeformation{});
-  if (ui::button("shape/apply", "Apply",
-                 {"Deform the selected bodies and smooth the mesh around them.",
-                  ui::ButtonStyle::primary, sensible(typed_) && !session.in_motion(), -1})) {
-    context.emit(action::ApplyDeformation{typed_});
-    typed_.amplitude = 0;
-  }
-}
-
-/// Direction, and in space along what the sine runs.
-bool ShapePanel::draw_axes(bool in_space) {
-  constexpr const char* direction_tip =
-      "Which way the boundary is displaced; the sine runs along the body at right angles to it.";
-  ui::row("Direction", direction_tip, label_share);
-  if (!in_space) {
-    std::size_t direction = axis_of(typed_) == 0 ? 1 : 0;
-    if (axis_of(typed_) == 2 || typed_.along) set_axes(typed_, 1, std::nullopt);
-    if (!ui::combo("shape/direction", {"y", "x"}, direction, direction_tip)) return false;
-    set_axes(typed_, direction == 1 ? 0 : 1, std::nullopt);
-    return true;
-  }
-  std::size_t direction = axis_of(typed_);
-  std::size_t along = direction == 2 ? 0 : 2;
-  for (std::size_t k = 0; k < 3 && typed_.along; ++k)
-    if (*typed_.along == Vec3::Unit(static_cast<Index>(k))) along = k;
-  bool changed = !typed_.along;  // in space it is said
-  changed |= ui::combo("shape/direction", {"x", "y", "z"}, direction,
-                       "Which way the boundary is displaced.");
-  constexpr const char* along_tip =
-      "The axis along which the sine runs, from one end of the body to the other. At right angles "
-      "to it nothing changes.";
-  ui::row("Runs along", along_tip, label_share);
-  changed |= ui::combo("shape/along", {"x", "y", "z"}, along, along_tip);
-  if (changed) set_axes(typed_, direction, along);
-  return changed;
-}
-
-bool ShapePanel::draw_fields(bool in_space) {
-  bool changed = false;
-  const auto field = [&](const char* id, const char* label, double& value, const char* tip) {
-    ui::row(label, tip, label_share);
-    changed |= ui::number(id, value, tip);
-  };
-  field("shape/amplitude", "Amplitude", typed_.amplitude,
-        "Largest displacement, in units of the mesh; negative turns the sine over.");
-  field("shape/waves", "Waves", typed_.waves, "Full periods over the length of the body.");
-  changed |= draw_axes(in_space);
-  const char* fade_tip =
-      in_space
-          ? "Where the displacement fades to nothing, so that an edge stays where it is. Start "
-            "and end are those along the axis in which the sine runs: of its smallest and its "
-            "largest coordinate."
-          : "Where the displacement fades to nothing, so that an edge stays where it is. Start "
-            "and end are those of smallest and largest x (for direction y).";
-  ui::row("Fade", fade_tip, label_share);
-  auto fade = static_cast<std::size_t>(typed_.fade);
-  if (ui::combo("shape/fade", {"None", "At the start", "At the end", "At both ends"}, fade,
-                fade_tip)) {
-    typed_.fade = static_cast<Fade>(fade);
-    changed = true;
-  }
-  if (typed_.fade != Fade::none)
-    field("shape/fade_length", "Fade length", typed_.fade_length,
-          "Share of the body's length over which it fades, up to 0.5.");
-  return changed;
-}
+DrawPanel shape_panel() { return panel_of<ShapePanel>(); }
 
 }  // namespace winslow::gui

@@ -3,6 +3,7 @@
 #include "gui/base/text.h"
 #include "gui/demos/demo_player.h"
 #include "gui/menu/user_command.h"
+#include "gui/panels/panels.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
@@ -29,9 +30,7 @@ Columns columns_of(const PanelContext& context) {
 
 void heading(const PanelContext& context, const char* text) {
   ImGui::Dummy(ImVec2(0, context.theme.px(10)));
-  ImGui::PushFont(context.theme.bold);
-  ImGui::TextUnformatted(text);
-  ImGui::PopFont();
+  ui::text_in(context.theme.bold, text);
 }
 
 /// Text in a rectangle of a draw list.
@@ -39,28 +38,8 @@ void put(ImDrawList& list, ImFont* font, const ImVec2& at, ImU32 color, const st
   list.AddText(font, font->FontSize, at, color, text.c_str());
 }
 
-}  // namespace
-
-void WelcomePanel::draw(const PanelContext& context) {
-  if (context.session.files().loading()) {
-    ImGui::PushFont(context.theme.title);
-    ImGui::TextUnformatted("Reading the mesh ...");
-    ImGui::PopFont();
-    ui::text_dim(context.session.files().loading_path().filename().string());
-    return;
-  }
-  thumbnails_.update(static_cast<double>(ImGui::GetIO().DeltaTime));
-  draw_head(context);
-  if (!context.recent.files().empty()) draw_recent(context);
-  if (assets_folder().empty()) return;
-  draw_bundled(context);
-  draw_demos(context);
-}
-
-void WelcomePanel::draw_head(const PanelContext& context) {
-  ImGui::PushFont(context.theme.title);
-  ImGui::TextUnformatted("Open a mesh");
-  ImGui::PopFont();
+void draw_head(const PanelContext& context) {
+  ui::text_in(context.theme.title, "Open a mesh");
   ui::text_wrapped("Drop a file here, choose one, or begin with one of those below.");
   ImGui::Spacing();
   if (ui::button("welcome/open", "Open mesh...",
@@ -77,19 +56,7 @@ void WelcomePanel::draw_head(const PanelContext& context) {
   ui::text_colored(palette().text_faint, "SU2, Gmsh MSH, CGNS, VTK, VTU, OBJ, OFF, PLY, STL");
 }
 
-void WelcomePanel::draw_recent(const PanelContext& context) {
-  heading(context, "Recent");
-  const Columns columns = columns_of(context);
-  std::size_t shown = 0;
-  for (const RecentFiles::File& file : context.recent.files()) {
-    if (shown == most_recent) break;
-    if (shown++ % columns.count != 0) ImGui::SameLine(0, columns.gap);
-    if (draw_file(context, file, columns.width)) context.emit(action::OpenMesh{file.path});
-  }
-}
-
-bool WelcomePanel::draw_file(const PanelContext& context, const RecentFiles::File& file,
-                             float width) {
+bool draw_file(const PanelContext& context, const RecentFiles::File& file, float width) {
   const Theme& theme = context.theme;
   const std::string name = file.path.filename().string();
   const ImVec2 min = ImGui::GetCursorScreenPos();
@@ -115,6 +82,33 @@ bool WelcomePanel::draw_file(const PanelContext& context, const RecentFiles::Fil
     put(list, font, ImVec2(min.x + theme.px(4) + used, y), palette().text_faint,
         ui::elided(file.path.parent_path().string(), room - used));
   return pressed;
+}
+
+void draw_recent(const PanelContext& context) {
+  heading(context, "Recent");
+  const Columns columns = columns_of(context);
+  std::size_t shown = 0;
+  for (const RecentFiles::File& file : context.recent.files()) {
+    if (shown == most_recent) break;
+    if (shown++ % columns.count != 0) ImGui::SameLine(0, columns.gap);
+    if (draw_file(context, file, columns.width)) context.emit(action::OpenMesh{file.path});
+  }
+}
+
+}  // namespace
+
+void WelcomePanel::draw(const PanelContext& context) {
+  if (context.session.files().loading()) {
+    ui::text_in(context.theme.title, "Reading the mesh ...");
+    ui::text_dim(context.session.files().loading_path().filename().string());
+    return;
+  }
+  thumbnails_.update(static_cast<double>(ImGui::GetIO().DeltaTime));
+  draw_head(context);
+  if (!context.recent.files().empty()) draw_recent(context);
+  if (assets_folder().empty()) return;
+  draw_bundled(context);
+  draw_demos(context);
 }
 
 void WelcomePanel::draw_bundled(const PanelContext& context) {
@@ -256,7 +250,7 @@ void draw_buttons(const PanelContext& context) {
 
 }  // namespace
 
-float DemoPanel::height(const PanelContext& context, float width) {
+float demo_height(const PanelContext& context, float width) {
   const Demo* demo = context.demo.demo();
   if (!demo) return 0;
   const std::string& text = demo->steps[context.demo.step()].text;
@@ -265,7 +259,7 @@ float DemoPanel::height(const PanelContext& context, float width) {
          ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y + ImGui::GetFrameHeight();
 }
 
-void DemoPanel::draw(const PanelContext& context) {
+void draw_demo(const PanelContext& context) {
   const Demo* demo = context.demo.demo();
   if (!demo) return;
   const DemoStep& step = demo->steps[context.demo.step()];
@@ -274,9 +268,7 @@ void DemoPanel::draw(const PanelContext& context) {
   ui::text_colored(palette().text_faint,
                    ui::elided(place + demo->title, ImGui::GetContentRegionAvail().x));
   ui::note("demo/step/" + std::to_string(context.demo.step() + 1));
-  ImGui::PushFont(context.theme.bold);
-  ImGui::TextUnformatted(step.title.c_str());
-  ImGui::PopFont();
+  ui::text_in(context.theme.bold, step.title);
   ui::text_wrapped(step.text);
   if (context.demo.ready(context.session))
     draw_numbers(context);

@@ -10,13 +10,13 @@ namespace winslow::gui {
 
 /// Where to begin: recent files, the bundled meshes, the cases of the paper as guided demos. Fills
 /// the viewport while no mesh is open, or when it is asked for.
-class WelcomePanel : public Panel {
+class WelcomePanel {
  public:
   static constexpr float card_width = 190, card_gap = 10;
   /// Room that all of it takes at scale 1; the height with recent files.
   static constexpr float page_width = 790, page_height = 672;
 
-  void draw(const PanelContext& context) override;
+  void draw(const PanelContext& context);
 
   /// Shown over the open mesh, or no longer.
   void toggle() { wanted_ = !wanted_; }
@@ -27,9 +27,6 @@ class WelcomePanel : public Panel {
   const Thumbnails& thumbnails() const { return thumbnails_; }
 
  private:
-  void draw_head(const PanelContext& context);
-  void draw_recent(const PanelContext& context);
-  bool draw_file(const PanelContext& context, const RecentFiles::File& file, float width);
   void draw_bundled(const PanelContext& context);
   bool draw_card(const PanelContext& context, const BundledMesh& mesh, float width, float height);
   void draw_demos(const PanelContext& context);
@@ -37,14 +34,6 @@ class WelcomePanel : public Panel {
 
   bool wanted_ = false;
   Thumbnails thumbnails_;
-};
-
-/// The card of the demo being played: what happens, what to look at, the numbers as they are now.
-class DemoPanel : public Panel {
- public:
-  void draw(const PanelContext& context) override;
-  /// What the card needs at a width, in pixels.
-  static float height(const PanelContext& context, float width);
 };
 
 }  // namespace winslow::gui

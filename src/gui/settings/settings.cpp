@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/error.h"
-#include "gui/settings/view_settings.h"
+#include "gui/render/color_scale.h"
 #include "io/file/atomic_file.h"
 
 namespace winslow::gui {
@@ -17,17 +17,291 @@ using nlohmann::json;
 // A splitter under the mouse changes the layout in every frame.
 constexpr double rest_seconds = 0.4;
 
-float size_of(const json& layout, const char* key) {
-  const auto it = layout.find(key);
-  if (it == layout.end() || !it->is_number()) return 0;
-  const auto size = it->get<double>();
-  return size > 0 && size < 10000 ? static_cast<float>(size) : 0;
+template <class Choice, std::size_t count>
+using Names = std::array<std::pair<Choice, const char*>, count>;
+
+constexpr Names<SideTab, 4> tabs{{{SideTab::quality, "quality"},
+                                  {SideTab::view, "view"},
+                                  {SideTab::vcv, "vcv"},
+                                  {SideTab::history, "history"}}};
+constexpr Names<Lightness, 2> looks{{{Lightness::light, "light"}, {Lightness::dark, "dark"}}};
+constexpr Names<Backdrop, 5> backdrops{{{Backdrop::automatic, "automatic"},
+                                        {Backdrop::white, "white"},
+                                        {Backdrop::grey, "grey"},
+                                        {Backdrop::gradient, "gradient"},
+                                        {Backdrop::black, "black"}}};
+constexpr Names<ColorAxis, 3> axes{{{ColorAxis::automatic, "automatic"},
+                                    {ColorAxis::linear, "linear"},
+                                    {ColorAxis::logarithmic, "logarithmic"}}};
+constexpr Names<BeforeState, 2> befores{
+    {{BeforeState::loaded, "loaded"}, {BeforeState::last_command, "last_command"}}};
+
+constexpr Names<MarkerDrawing, 3> drawings{{{MarkerDrawing::automatic, "automatic"},
+                                            {MarkerDrawing::surface, "surface"},
+                                            {MarkerDrawing::outline, "outline"}}};
+
+constexpr Names<LegendPlace, 6> legend_places{{{LegendPlace::right, "right"},
+                                               {LegendPlace::left, "left"},
+                                               {LegendPlace::top_right, "top_right"},
+                                               {LegendPlace::bottom_right, "bottom_right"},
+                                               {LegendPlace::bottom_left, "bottom_left"},
+                                               {LegendPlace::top_left, "top_left"}}};
+
+/// Visits every value of the view that is kept, with its key and, for numbers, its limits.
+template <class View, class Visitor>
+void visit(View& view, Visitor&& visitor) {
+  visitor.field("color", view.color);
+  visitor.map("color_map", view.color_map);
+  visitor.choice("color_axis", view.color_axis, axes);
+  visitor.percentiles("percentiles", view.percentiles);
+  visitor.number("bands", view.bands, 0, 64);
+  visitor.flag("fill", view.fill);
+  visitor.flag("wireframe", view.wireframe);
+  visitor.number("line_width", view.line_width, 0.25, 4);
+  visitor.flag("nodes", view.nodes);
+  visitor.flag("rim_nodes", view.rim_nodes);
+  visitor.flag("roles", view.roles);
+  visitor.flag("directions", view.directions);
+  visitor.looks("markers", view.markers);
+  visitor.flag("node_ids", view.node_ids);
+  visitor.flag("element_ids", view.element_ids);
+  visitor.flag("legend", view.legend);
+  visitor.choice("legend_place", view.legend_place, legend_places);
+  visitor.flag("scale_bar", view.scale_bar);
+  visitor.flag("mark_inverted", view.mark_inverted);
+  visitor.choice("before", view.before, befores);
+  visitor.number("magnification", view.magnifier.factor, 2, 1000);
+  visitor.flag("crinkle", view.space.crinkle);
+  visitor.flag("perspective", view.space.perspective);
+  visitor.number("up", view.space.up, 0, 2);
+  visitor.flag("axes", view.space.axes);
+  visitor.flag("free_orbit", view.space.free_orbit);
+  visitor.number("worst_count", view.worst_count, 1, 100);
+  visitor.choice("lightness", view.lightness, looks);
+  visitor.choice("backdrop", view.backdrop, backdrops);
+  visitor.number("scale", view.scale, 0, 4);
+  visitor.flag("left_panel", view.left_panel);
+  visitor.flag("right_panel", view.right_panel);
+  visitor.choice("side_tab", view.side_tab, tabs);
+  visitor.flag("plot_panel", view.plot_panel);
 }
 
-const json& object_in(const json& parent, const char* key) {
-  static const json none = json::object();
-  const auto it = parent.find(key);
-  return it != parent.end() && it->is_object() ? *it : none;
+struct Writer {
+  json& object;
+
+  void flag(const char* key, bool value) { object[key] = value; }
+  void number(const char* key, auto value, double, double) { object[key] = value; }
+  void map(const char* key, const std::string& value) { object[key] = value; }
+  void field(const char* key, const std::optional<ElementField>& value) {
+    object[key] = value ? json(field_info(*value).name) : json();
+  }
+  void looks(const char* key, const MarkerLooks& value) {
+    json looks = json::object();
+    for (const auto& [name, look] : value.by_name) {
+      json& entry = looks[name];
+      entry = {{"hidden", look.hidden}, {"locked", look.locked}};
+      if (look.color) entry["color"] = *look.color;
+      Writer of_marker{entry};
+      of_marker.choice("drawing", look.drawing, drawings);
+      of_marker.number("opacity", look.opacity, 0.1, 1);
+    }
+    object[key] = {{"mesh", value.mesh}, {"looks", std::move(looks)}};
+  }
+  void percentiles(const char* key, const std::optional<std::array<double, 2>>& value) {
+    object[key] = value ? json(*value) : json();
+  }
+  template <class Choice, std::size_t count>
+  void choice(const char* key, Choice value, const Names<Choice, count>& names) {
+    for (const auto& [each, name] : names)
+      if (each == value) object[key] = name;
+  }
+};
+
+/// Reads an object; what is missing or makes no sense leaves a value as it is.
+struct Reader {
+  const json& object;
+
+  /// Null unless there is such a value of such a kind.
+  const json* find(const char* key, bool (json::*is)() const noexcept) const {
+    const auto it = object.is_object() ? object.find(key) : object.end();
+    return it != object.end() && ((*it).*is)() ? &*it : nullptr;
+  }
+  /// Empty unless there is an object.
+  Reader within(const char* key) const {
+    static const json none = json::object();
+    const json* found = find(key, &json::is_object);
+    return {found ? *found : none};
+  }
+  std::optional<double> number(const char* key) const {
+    const json* found = find(key, &json::is_number);
+    return found && std::isfinite(found->get<double>()) ? std::optional(found->get<double>())
+                                                        : std::nullopt;
+  }
+  std::optional<std::string> text(const char* key) const {
+    const json* found = find(key, &json::is_string);
+    return found ? std::optional(found->get<std::string>()) : std::nullopt;
+  }
+  /// The texts of a list, without what is none; none: there is no list.
+  std::optional<std::vector<std::string>> texts(const char* key) const {
+    const json* found = find(key, &json::is_array);
+    if (!found) return std::nullopt;
+    std::vector<std::string> all;
+    for (const json& text : *found)
+      if (text.is_string()) all.push_back(text.get<std::string>());
+    return all;
+  }
+  /// A list of just so many numbers.
+  template <std::size_t count>
+  std::optional<std::array<double, count>> numbers(const char* key) const {
+    const json* found = find(key, &json::is_array);
+    if (!found || found->size() != count) return std::nullopt;
+    std::array<double, count> read{};
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!(*found)[k].is_number()) return std::nullopt;
+      read[k] = (*found)[k].get<double>();
+      if (!std::isfinite(read[k])) return std::nullopt;
+    }
+    return read;
+  }
+
+  void flag(const char* key, bool& value) const {
+    if (const json* found = find(key, &json::is_boolean)) value = found->get<bool>();
+  }
+  template <class Number>
+  void number(const char* key, Number& value, double least, double most) const {
+    const auto read = number(key);
+    if (read && *read >= least && *read <= most) value = static_cast<Number>(*read);
+  }
+  void map(const char* key, std::string& value) const {
+    const auto names = color_map_choices();
+    const auto read = text(key);
+    if (read && std::ranges::find(names, *read) != names.end()) value = *read;
+  }
+  void percentiles(const char* key, std::optional<std::array<double, 2>>& value) const {
+    const auto read = numbers<2>(key);
+    if (read && (*read)[0] >= 0 && (*read)[0] < (*read)[1] && (*read)[1] <= 100) value = read;
+  }
+  void field(const char* key, std::optional<ElementField>& value) const {
+    if (find(key, &json::is_null)) value.reset();
+    const auto read = text(key);
+    if (!read) return;
+    // A field of another version: the one that a new studio shows is as good as any.
+    for (const MeshKind kind : {MeshKind::plane, MeshKind::surface}) {
+      const std::vector<ElementField>& all = all_element_fields(kind);
+      const auto same = std::ranges::find_if(
+          all, [&](const ElementField& f) { return field_info(f).name == *read; });
+      if (same == all.end()) continue;
+      value = *same;
+      return;
+    }
+  }
+  void looks(const char* key, MarkerLooks& value) const {
+    const Reader kept = within(key);
+    const auto mesh = kept.text("mesh");
+    const json* list = kept.find("looks", &json::is_object);
+    if (!mesh || !list) return;
+    value.mesh = *mesh;
+    for (const auto& [name, entry] : list->items()) {
+      if (!entry.is_object()) continue;
+      MarkerLook look;
+      const Reader of_marker{entry};
+      of_marker.flag("hidden", look.hidden);
+      of_marker.flag("locked", look.locked);
+      of_marker.choice("drawing", look.drawing, drawings);
+      of_marker.number("opacity", look.opacity, 0.1, 1);
+      if (const auto color = of_marker.numbers<3>("color")) {
+        look.color.emplace();
+        for (std::size_t k = 0; k < 3; ++k)
+          (*look.color)[k] = static_cast<float>(std::clamp((*color)[k], 0.0, 1.0));
+      }
+      value.set(name, look);
+    }
+  }
+  template <class Choice, std::size_t count>
+  void choice(const char* key, Choice& value, const Names<Choice, count>& names) const {
+    const auto read = text(key);
+    for (const auto& [each, name] : names)
+      if (read == name) value = each;
+  }
+};
+
+ViewOptions read_view(const Reader& object) {
+  ViewOptions view;
+  visit(view, object);
+  // Between 0, the screen's own, and a scale at which nothing could be read any more.
+  if (view.scale < 0.5) view.scale = 0;
+  return view;
+}
+
+std::vector<CutPlane> cuts_in(const Reader& object) {
+  std::vector<CutPlane> cuts;
+  const json* list = object.find("cuts", &json::is_array);
+  for (const json& entry : list ? *list : json::array()) {
+    if (!entry.is_object() || cuts.size() == most_cuts) continue;
+    const Reader kept{entry};
+    const auto point = kept.numbers<3>("point"), normal = kept.numbers<3>("normal");
+    if (!point || !normal || *normal == std::array<double, 3>{0, 0, 0}) continue;
+    cuts.push_back({*point, *normal, false});
+    kept.flag("on", cuts.back().on);
+  }
+  return cuts;
+}
+
+Peel peel_in(const Reader& object) {
+  const Reader kept = object.within("peel");
+  const auto marker = kept.text("marker");
+  const auto from = kept.number("from"), to = kept.number("to");
+  if (!marker || !from || !to || !(*from >= 1 && *from <= *to && *to < 1e9)) return {};
+  Peel peel{false, *marker, static_cast<int>(*from), static_cast<int>(*to)};
+  kept.flag("on", peel.on);
+  return peel;
+}
+
+std::optional<KeptView> kept_view(const Reader& entry) {
+  const auto mesh = entry.text("mesh");
+  const auto centre = entry.numbers<3>("centre");
+  const auto height = entry.number("height"), azimuth = entry.number("azimuth"),
+             elevation = entry.number("elevation"), up = entry.number("up");
+  if (!mesh || !centre || !height || !(*height > 0) || !azimuth || !elevation ||
+      !(std::abs(*elevation) <= 90) || !up || !(*up >= 0 && *up < 3))
+    return std::nullopt;
+  const double roll = entry.number("roll").value_or(0);
+  return KeptView{
+      *mesh,          *centre,       *height, *azimuth, *elevation, roll, static_cast<int>(*up),
+      cuts_in(entry), peel_in(entry)};
+}
+
+std::vector<KeptView> read_kept_views(const Reader& root) {
+  std::vector<KeptView> views;
+  const json* list = root.find("views", &json::is_array);
+  for (const json& entry : list ? *list : json::array()) {
+    if (views.size() == most_kept_views) break;
+    if (auto view = kept_view({entry})) views.push_back(std::move(*view));
+  }
+  return views;
+}
+
+json write_kept_views(const std::vector<KeptView>& views) {
+  json list = json::array();
+  for (const KeptView& view : views) {
+    json cuts = json::array();
+    for (const CutPlane& cut : view.cuts)
+      cuts.push_back({{"point", cut.point}, {"normal", cut.normal}, {"on", cut.on}});
+    list.push_back({{"mesh", view.mesh},
+                    {"centre", view.centre},
+                    {"height", view.height},
+                    {"azimuth", view.azimuth},
+                    {"elevation", view.elevation},
+                    {"roll", view.roll},
+                    {"up", view.up},
+                    {"cuts", std::move(cuts)},
+                    {"peel",
+                     {{"on", view.peel.on},
+                      {"marker", view.peel.marker},
+                      {"from", view.peel.from},
+                      {"to", view.peel.to}}}});
+  }
+  return list;
 }
 
 /// Writes and says what went wrong.
@@ -49,7 +323,7 @@ std::string write_settings(const Settings& settings, const std::string& previous
   if (!root.is_object()) root = json::object();
   json& view = root["view"];
   if (!view.is_object()) view = json::object();
-  write_view(settings.view, view);
+  visit(settings.view, Writer{view});
   json& layout = root["layout"];
   if (!layout.is_object()) layout = json::object();
   layout["left_width"] = settings.left_width;
@@ -64,30 +338,27 @@ std::string write_settings(const Settings& settings, const std::string& previous
 }
 
 Settings read_settings(const std::string& text) {
-  const json root = json::parse(text, nullptr, false);
-  if (!root.is_object()) throw InputError("the settings are no JSON object");
+  const json parsed = json::parse(text, nullptr, false);
+  if (!parsed.is_object()) throw InputError("the settings are no JSON object");
+  const Reader root{parsed}, layout = root.within("layout");
   Settings settings;
-  settings.view = read_view(object_in(root, "view"));
-  const json& layout = object_in(root, "layout");
-  settings.left_width = size_of(layout, "left_width");
-  settings.right_width = size_of(layout, "right_width");
-  settings.plot_height = size_of(layout, "plot_height");
-  if (const auto it = layout.find("folded"); it != layout.end() && it->is_array()) {
-    settings.folded.clear();
-    for (const json& id : *it)
-      if (id.is_string()) settings.folded.insert(id.get<std::string>());
-  }
-  if (const auto it = root.find("recent"); it != root.end() && it->is_array())
-    for (const json& path : *it)
-      if (path.is_string()) settings.recent.push_back(path.get<std::string>());
-  if (const auto it = root.find("views"); it != root.end()) settings.views = read_kept_views(*it);
-  if (const auto it = layout.find("window"); it != layout.end() && it->is_array() &&
-                                             it->size() == 2 && (*it)[0].is_number_integer() &&
-                                             (*it)[1].is_number_integer()) {
-    const std::array<long, 2> size{(*it)[0].get<long>(), (*it)[1].get<long>()};
-    if (std::ranges::all_of(size, [](long s) { return s >= 200 && s <= 20000; }))
-      settings.window = {static_cast<int>(size[0]), static_cast<int>(size[1])};
-  }
+  settings.view = read_view(root.within("view"));
+  const auto size = [&](const char* key, float& side) {
+    const double read = layout.number(key).value_or(0);
+    if (read > 0 && read < 10000) side = static_cast<float>(read);
+  };
+  size("left_width", settings.left_width);
+  size("right_width", settings.right_width);
+  size("plot_height", settings.plot_height);
+  if (const auto folded = layout.texts("folded"))
+    settings.folded = {folded->begin(), folded->end()};
+  settings.recent = root.texts("recent").value_or(std::vector<std::string>{});
+  settings.views = read_kept_views(root);
+  if (const auto window = layout.numbers<2>("window"))
+    if (std::ranges::all_of(*window, [](double side) {
+          return side >= 200 && side <= 20000 && side == std::round(side);
+        }))
+      settings.window = {static_cast<int>((*window)[0]), static_cast<int>((*window)[1])};
   return settings;
 }
 

@@ -7,7 +7,8 @@
 
 namespace winslow::gui {
 
-/// What the studio remembers from one run to the next.
+/// What the studio remembers from one run to the next. Of the view it is what does not belong to
+/// one mesh: isolated elements, comparison, magnifier and a range of colours start anew.
 struct Settings {
   ViewOptions view;
   /// Sizes of the panels, in units of the layout; 0: as designed.

@@ -173,14 +173,24 @@ struct ViewOptions {
 
 /// The ways to draw elements, in the order in which one steps through them.
 enum class ElementStyle { both, surfaces, edges };
-ElementStyle style_of(const ViewOptions& view);
-void set_style(ViewOptions& view, ElementStyle style);
+inline ElementStyle style_of(const ViewOptions& view) {
+  if (!view.fill) return ElementStyle::edges;
+  return view.wireframe ? ElementStyle::both : ElementStyle::surfaces;
+}
+inline void set_style(ViewOptions& view, ElementStyle style) {
+  view.fill = style != ElementStyle::edges;
+  view.wireframe = style != ElementStyle::surfaces;
+}
 /// The next way.
-void step_style(ViewOptions& view);
+inline void step_style(ViewOptions& view) {
+  set_style(view, static_cast<ElementStyle>((static_cast<int>(style_of(view)) + 1) % 3));
+}
 
 /// The legend has a strip beside the mesh: also while edges alone are drawn, so that the mesh stays
 /// where it is as one steps through the styles.
-bool legend_has_strip(const ViewOptions& view);
+inline bool legend_has_strip(const ViewOptions& view) {
+  return view.legend && view.color && docked(view.legend_place);
+}
 
 /// Scales of the interface that one can step through, pixels per unit of the layout.
 inline constexpr std::array<double, 10> scales{0.75, 0.9, 1, 1.1, 1.25, 1.5, 1.75, 2, 2.5, 3};

@@ -7,7 +7,6 @@
 #endif
 
 #include "gui/settings/settings.h"
-#include "gui/shell/headless/headless_studio.h"
 #include "gui/shell/window.h"
 #include "gui/shell/workbench/workbench.h"
 
@@ -91,16 +90,6 @@ void run_studio(const StudioOptions& options) {
   Workbench workbench({window.scale(), profile});
   if (options.mesh) workbench.apply(action::OpenMesh{*options.mesh, false, options.zone});
   StudioLoop(window, workbench).run();
-}
-
-void screenshot_studio(const StudioOptions& options, const std::filesystem::path& png) {
-  HeadlessOptions headless;
-  headless.mesh = options.mesh;
-  headless.zone = options.zone;
-  headless.width = options.width;
-  headless.height = options.height;
-  headless.picture = png;
-  run_headless(headless);
 }
 
 void return_freed_memory() {

@@ -15,9 +15,6 @@ struct StudioOptions {
 /// there is no display.
 void run_studio(const StudioOptions& options);
 
-/// One frame of the studio, without a display, written as a PNG once the mesh is drawn.
-void screenshot_studio(const StudioOptions& options, const std::filesystem::path& png);
-
 /// Has arrays of a megabyte and more go back to the system when they are freed, for the whole
 /// process; to be called before threads are started. A studio is open all day: with glibc's own
 /// settings arrays of up to 32 MB come to lie in the arenas of the threads that made them, and

@@ -1,7 +1,5 @@
 #include "gui/shell/window.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <cstdlib>
@@ -136,18 +134,10 @@ bool Window::wait(double seconds) {
   return !input_.empty() || close_requested_ || std::exchange(damaged_, false);
 }
 
-int Window::width() const {
-  int width = 1;
-  int height = 1;
-  glfwGetFramebufferSize(window_, &width, &height);
-  return width;
-}
-
-int Window::height() const {
-  int width = 1;
-  int height = 1;
-  glfwGetFramebufferSize(window_, &width, &height);
-  return height;
+std::array<int, 2> Window::size() const {
+  std::array<int, 2> size{1, 1};
+  glfwGetFramebufferSize(window_, &size[0], &size[1]);
+  return size;
 }
 
 float Window::scale() const {

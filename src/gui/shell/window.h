@@ -21,8 +21,9 @@ class Window {
   /// Waits for events, no longer than this; false if there were none.
   bool wait(double seconds);
   InputQueue& input() { return input_; }
-  int width() const;   ///< framebuffer pixels
-  int height() const;  ///< framebuffer pixels
+  std::array<int, 2> size() const;  ///< of the framebuffer, pixels
+  int width() const { return size()[0]; }
+  int height() const { return size()[1]; }
   /// Pixels per unit of layout on this screen.
   float scale() const;
   double time() const;  ///< seconds

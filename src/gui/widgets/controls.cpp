@@ -1,7 +1,5 @@
 #include "gui/widgets/controls.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -346,10 +344,16 @@ void second_column(std::string_view label) {
   if (last + style.ItemSpacing.x <= half && half + box + text <= end) ImGui::SameLine(half);
 }
 
-void text_wrapped(std::string_view text) {
+void text_in(ImFont* font, std::string_view text) {
+  ImGui::PushFont(font);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopFont();
+}
+
+void text_wrapped(std::string_view text, ImU32 color) {
   const std::string broken = with_line_breaks(text, ImGui::GetContentRegionAvail().x);
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(broken.c_str());
+  text_colored(color, broken);
   ImGui::PopTextWrapPos();
 }
 
@@ -358,6 +362,14 @@ void text_right(std::string_view text, ImU32 c) {
   const float room = ImGui::GetContentRegionAvail().x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, room - width));
   text_colored(c, text);
+}
+
+void figure(std::string_view name, const std::string& value, std::string_view tip, ImU32 color) {
+  text_dim(name);
+  tooltip(tip);
+  ImGui::SameLine();
+  text_right(elided(value, ImGui::GetContentRegionAvail().x), color);
+  tooltip(value + "\n" + std::string(tip));
 }
 
 std::string elided(const std::string& text, float width) {
@@ -451,6 +463,12 @@ bool combo(std::string_view id, const std::vector<std::string>& items, std::size
   }
   ImGui::EndCombo();
   return chosen != before;
+}
+
+bool choice(std::string_view id, const std::string& label, const std::vector<std::string>& items,
+            std::size_t& chosen, std::string_view tip, float label_share) {
+  row(label, tip, label_share);
+  return combo(id, items, chosen, tip);
 }
 
 bool tabs(std::string_view id, const std::vector<Tab>& items, std::size_t& chosen) {

@@ -61,6 +61,40 @@ void forget_typed_steps();
 bool combo(std::string_view id, const std::vector<std::string>& items, std::size_t& chosen,
            std::string_view tip = {});
 
+/// A row with such a list: "label   control". True when another item was chosen.
+bool choice(std::string_view id, const std::string& label, const std::vector<std::string>& items,
+            std::size_t& chosen, std::string_view tip = {}, float label_share = 0.42f);
+/// The same for an enumeration, a switch or a number that counts the items from 0.
+template <class T>
+requires std::is_enum_v<T> || std::integral<T>
+bool choice(std::string_view id, const std::string& label, const std::vector<std::string>& items,
+            T& value, std::string_view tip = {}, float label_share = 0.42f) {
+  auto chosen = static_cast<std::size_t>(value);
+  const bool changed = choice(id, label, items, chosen, tip, label_share);
+  if (changed) value = static_cast<T>(chosen);
+  return changed;
+}
+/// The same for a value of a list; one that is not in it is shown as the item `otherwise`.
+template <class T>
+struct Named {
+  T value;
+  const char* name;
+};
+template <class T, std::size_t count>
+bool choice(std::string_view id, const std::string& label, const std::array<Named<T>, count>& items,
+            T& value, std::string_view tip = {}, float label_share = 0.42f,
+            std::size_t otherwise = 0) {
+  std::vector<std::string> names;
+  std::size_t chosen = otherwise;
+  for (const auto& [each, name] : items) {
+    if (each == value) chosen = names.size();
+    names.emplace_back(name);
+  }
+  const bool changed = choice(id, label, names, chosen, tip, label_share);
+  if (changed) value = items[chosen].value;
+  return changed;
+}
+
 /// A strip of tabs across the row; tab k has the id "ID/k's name in lower case". True when another
 /// one was chosen.
 struct Tab {
@@ -80,9 +114,13 @@ void reveal(std::string_view id);
 /// Text in another colour or font.
 void text_dim(std::string_view text);
 void text_colored(ImU32 color, std::string_view text);
-void text_wrapped(std::string_view text);
+void text_in(ImFont* font, std::string_view text);
+void text_wrapped(std::string_view text, ImU32 color = palette().text);
 /// The next checkbox stands in the second column, beside the last one, where both have room.
 void second_column(std::string_view label);
+/// A name at the left, what belongs to it at the right, cut where there is no room.
+void figure(std::string_view name, const std::string& value, std::string_view tip,
+            ImU32 color = palette().text);
 /// Right-aligned in what is left of the row or cell.
 void text_right(std::string_view text, ImU32 color);
 

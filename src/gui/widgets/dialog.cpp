@@ -1,10 +1,9 @@
 #include "gui/widgets/dialog.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
 #include <algorithm>
+#include <utility>
 
+#include "gui/base/input.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui::ui {
@@ -17,28 +16,38 @@ float place_dialog(float wanted, const ImVec2& padding) {
   return std::min(wanted, largest.x - 2 * padding.x - ImGui::GetStyle().ScrollbarSize);
 }
 
-Dialog::Dialog(const char* id, const std::string& title, bool& wanted, const Theme& theme)
-    : theme_(theme) {
-  if (wanted) ImGui::OpenPopup(id);
-  wanted = false;
-  const ImVec2 padding(theme.px(20), theme.px(16));
-  width_ = place_dialog(theme.px(380), padding);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+Modal::Modal(const char* id, bool open, const Theme& theme, const Look& look) {
+  if (open) ImGui::OpenPopup(id);
+  const bool fits_content = look.size.x <= 0;
+  if (!fits_content) {
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always,
+                            ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowSize(look.size);
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
+                      ImVec2(theme.px(look.padding.x), theme.px(look.padding.y)));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
-  constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
-                         ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  const auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | look.flags |
+                     (fits_content ? ImGuiWindowFlags_AlwaysAutoResize : ImGuiWindowFlags_NoResize);
   shown_ = ImGui::BeginPopupModal(id, nullptr, flags);
-  if (!shown_) return;
+}
+
+Modal::~Modal() {
+  if (shown_) ImGui::EndPopup();
+  ImGui::PopStyleVar(2);
+}
+
+Dialog::Dialog(const char* id, const std::string& title, bool& wanted, const Theme& theme)
+    : theme_(theme),
+      width_(place_dialog(theme.px(380), ImVec2(theme.px(20), theme.px(16)))),
+      window_(id, std::exchange(wanted, false), theme, {ImVec2(20, 16)}) {
+  if (!shown()) return;
   ImGui::Dummy(ImVec2(width_, 0));
   ImGui::PushFont(theme.bold);
   ImGui::TextUnformatted(title.c_str());
   ImGui::PopFont();
   ImGui::Spacing();
-}
-
-Dialog::~Dialog() {
-  if (shown_) ImGui::EndPopup();
-  ImGui::PopStyleVar(2);
 }
 
 Dialog::Answer Dialog::buttons(const std::string& id, const std::string& accept, bool enabled) {

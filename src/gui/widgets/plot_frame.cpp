@@ -114,11 +114,8 @@ void draw_heights_axis(ImDrawList& list, const PlotStrip& strip, const PlotAxis&
       1 + static_cast<int>((strip.max.y - strip.min.y) / (1.2f * ImGui::GetTextLineHeight()));
   const std::vector<int> decades = named_decades(axis, room);
   if (decades.size() < 2) {
-    for (const double end : {axis.low, axis.high}) {
-      char text[16];
-      std::snprintf(text, sizeof text, "%.2g", std::pow(10.0, end));
-      line(end, text);
-    }
+    for (const double end : {axis.low, axis.high})
+      line(end, formatted(std::pow(10.0, end), "%.2g"));
     return;
   }
   for (const int decade : decades) line(decade, "1e" + std::to_string(decade));

@@ -1,6 +1,7 @@
 #include "gui/widgets/theme.h"
 
 #include <imgui_freetype.h>
+#include <imgui_internal.h>
 
 #include <array>
 #include <string>
@@ -12,49 +13,6 @@ namespace {
 constexpr std::array<const char*, 2> icon_files{
     "/usr/share/fonts/truetype/fork-awesome/forkawesome-webfont.ttf",
     "/usr/share/fonts-fork-awesome/fonts/forkawesome-webfont.ttf"};
-
-// By Icon. Fork Awesome keeps Font Awesome 4's code points.
-constexpr std::array<const char*, 39> glyphs{
-    "\xEF\x81\xBC",  // open
-    "\xEF\x83\x87",  // save
-    "\xEF\x83\xA2",  // undo
-    "\xEF\x80\x9E",  // redo
-    "\xEF\x82\xB2",  // fit
-    "\xEF\x81\x8B",  // run
-    "\xEF\x81\x8C",  // pause
-    "\xEF\x81\x91",  // step
-    "\xEF\x81\x8D",  // stop
-    "\xEF\x81\x88",  // reset
-    "\xEF\x80\xB0",  // camera
-    "\xEF\x81\xB1",  // warning
-    "\xEF\x80\x8C",  // check
-    "\xEF\x80\x8D",  // close
-    "\xEF\x81\x9A",  // info
-    "\xEF\x81\xBB",  // folder
-    "\xEF\x80\x96",  // file
-    "\xEF\x81\xA2",  // up
-    "\xEF\x80\x95",  // home
-    "\xEF\x81\xB4",  // random
-    "\xEF\x80\x8E",  // search
-    "\xEF\x81\x9B",  // bodies
-    "\xEF\x81\x87",  // motion
-    "\xEF\x87\x9E",  // solver
-    "\xEF\x82\x80",  // quality
-    "\xEF\x87\x9A",  // history
-    "\xEF\x81\xAE",  // view
-    "\xEF\x88\x81",  // plot
-    "\xEF\x81\x9B",  // target
-    "\xEF\x80\xBD",  // record
-    "\xEF\x81\xA0",  // back
-    "\xEF\x81\xA1",  // forward
-    "\xEF\x81\xB0",  // hide
-    "\xEF\x80\xA3",  // lock
-    "\xEF\x82\x9C",  // unlock
-    "\xEF\x81\x80",  // shape
-    "\xEF\x83\x89",  // layers
-    "\xEF\x87\xA0",  // nodes
-    "\xEF\x83\x8E",  // mesh
-};
 
 bool exists(const char* path) {
   std::error_code ignored;
@@ -200,8 +158,11 @@ ImU32 faded(ImU32 color, float share) {
   return ImGui::ColorConvertFloat4ToU32(c);
 }
 
-const char* Theme::icon(Icon icon) const {
-  return has_icons ? glyphs[static_cast<std::size_t>(icon)] : "";
+std::string Theme::icon(Icon icon) const {
+  if (!has_icons) return {};
+  std::array<char, 5> text{};
+  ImTextCharToUtf8(text.data(), static_cast<unsigned>(icon));
+  return text.data();
 }
 
 Theme make_theme(float scale, const Palette& colors) {

@@ -45,46 +45,42 @@ ImVec4 rgba(ImU32 color);
 /// A colour with its opacity multiplied by a share of 0 to 1.
 ImU32 faded(ImU32 color, float share);
 
+/// By code point. Fork Awesome keeps those of Font Awesome 4.
 enum class Icon {
-  open,
-  save,
-  undo,
-  redo,
-  fit,
-  run,
-  pause,
-  step,
-  stop,
-  reset,
-  camera,
-  warning,
-  check,
-  close,
-  info,
-  folder,
-  file,
-  up,
-  home,
-  random,
-  search,
-  bodies,
-  motion,
-  solver,
-  quality,
-  history,
-  view,
-  plot,
-  target,
-  record,
-  back,
-  forward,
-  hide,
-  lock,
-  unlock,
-  shape,
-  layers,
-  nodes,
-  mesh
+  open = 0xF07C,
+  save = 0xF0C7,
+  undo = 0xF0E2,
+  redo = 0xF01E,
+  fit = 0xF0B2,
+  run = 0xF04B,
+  pause = 0xF04C,
+  step = 0xF051,
+  stop = 0xF04D,
+  reset = 0xF048,
+  camera = 0xF030,
+  warning = 0xF071,
+  folder = 0xF07B,
+  file = 0xF016,
+  up = 0xF062,
+  random = 0xF074,
+  search = 0xF00E,
+  bodies = 0xF05B,
+  motion = 0xF047,
+  solver = 0xF1DE,
+  quality = 0xF080,
+  history = 0xF1DA,
+  view = 0xF06E,
+  target = 0xF05B,
+  record = 0xF03D,
+  back = 0xF060,
+  forward = 0xF061,
+  hide = 0xF070,
+  lock = 0xF023,
+  unlock = 0xF09C,
+  shape = 0xF040,
+  layers = 0xF0C9,
+  nodes = 0xF1E0,
+  mesh = 0xF0CE
 };
 
 /// Fonts of one ImGui context.
@@ -98,7 +94,7 @@ struct Theme {
 
   float px(float size) const { return size * scale; }
   /// UTF-8 of an icon; "" where the icon font is not installed.
-  const char* icon(Icon icon) const;
+  std::string icon(Icon icon) const;
 };
 
 /// Loads fonts into the current ImGui context and sets its style. Falls back to ImGui's own font

@@ -1,7 +1,5 @@
 #include "gui/widgets/ui_layer.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <imgui_internal.h>
 
 #include <limits>

@@ -5,7 +5,7 @@
 
 #include "gui/demos/demo.h"
 #include "gui/files/assets.h"
-#include "gui/panels/about_panel.h"
+#include "gui/panels/dialogs.h"
 #include "gui/shell/headless/headless_studio.h"
 #include "gui/support/rig.h"
 #include "support/paths.h"

@@ -1,10 +1,9 @@
 #include "gui/panels/files/file_browser.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
+#include "gui/base/input.h"
 #include "gui/files/recent_files.h"
 #include "gui/widgets/controls.h"
 

@@ -1,9 +1,8 @@
 #include "gui/panels/files/file_dialog.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
+#include "gui/base/input.h"
 #include "gui/widgets/controls.h"
+#include "gui/widgets/dialog.h"
 
 namespace winslow::gui {
 
@@ -36,33 +35,20 @@ void FileDialog::draw(const PanelContext& context) {
     choice_.error = std::move(problem);
     choice_.address = choice_.folder.wanted().string();
   }
-  constexpr const char* popup = "###file_dialog";
-  if (wanted_) ImGui::OpenPopup(popup);
-  wanted_ = false;
   const ImVec2 screen = ImGui::GetMainViewport()->Size;
-  ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always,
-                          ImVec2(0.5f, 0.5f));
-  ImGui::SetNextWindowSize(ImVec2(std::min(context.theme.px(840), screen.x * 0.96f),
-                                  std::min(context.theme.px(560), screen.y * 0.94f)));
-  constexpr auto flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
-                         ImGuiWindowFlags_NoScrollbar;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding,
-                      ImVec2(context.theme.px(18), context.theme.px(14)));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, context.theme.px(8));
-  if (ImGui::BeginPopupModal(popup, nullptr, flags)) {
+  const ui::Modal window("###file_dialog", std::exchange(wanted_, false), context.theme,
+                         {ImVec2(18, 14),
+                          ImVec2(std::min(context.theme.px(840), screen.x * 0.96f),
+                                 std::min(context.theme.px(560), screen.y * 0.94f)),
+                          ImGuiWindowFlags_NoScrollbar});
+  if (window.shown())
     draw_content(context);
-    ImGui::EndPopup();
-  } else {
+  else
     open_ = false;  // another dialog took its place
-  }
-  ImGui::PopStyleVar(2);
 }
 
 void FileDialog::draw_content(const PanelContext& context) {
-  ImGui::PushFont(context.theme.bold);
-  ImGui::TextUnformatted(kind_.title.c_str());
-  ImGui::PopFont();
+  ui::text_in(context.theme.bold, kind_.title);
   browser_.draw_address(context);
   const float message = choice_.error.empty() ? 0 : ImGui::GetTextLineHeightWithSpacing();
   const float footer = 2 * ImGui::GetFrameHeightWithSpacing() + message + context.theme.px(8);

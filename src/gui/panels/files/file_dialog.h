@@ -9,7 +9,7 @@ namespace winslow::gui {
 /// Chooses a file to open or to write: a dialog of our own, since the system has none that every
 /// desktop shares. Made for the keyboard: letters jump to a name, Tab completes it, arrow keys
 /// choose, a slash or Enter goes into a folder, Backspace in an empty field goes up, Esc leaves.
-class FileDialog : public Panel {
+class FileDialog {
  public:
   FileDialog() = default;
   FileDialog(const FileDialog&) = delete;  // its parts know its choice
@@ -24,7 +24,7 @@ class FileDialog : public Panel {
   /// A folder, or a mesh for its picture, is being read.
   bool busy() const { return open_ && (choice_.folder.listing().busy() || browser_.busy()); }
   const std::filesystem::path& folder() const { return choice_.folder.listing().folder(); }
-  void draw(const PanelContext& context) override;
+  void draw(const PanelContext& context);
 
  private:
   void draw_content(const PanelContext& context);

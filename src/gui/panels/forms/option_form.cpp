@@ -88,32 +88,14 @@ class Field {
     return *vector.value && space_vector_field({id_, tip_}, **vector.value);
   }
 
-  /// Chosen in the list of markers; here they are named, and can be let go of.
-  bool operator()(const NamesOption& names) const {
-    if (!button(id_, elided(value_text(option_), ImGui::GetContentRegionAvail().x * 0.7F),
-                {.tooltip = tip_ + " Click: none of them."}))
-      return false;
-    names.value->clear();
-    return true;
-  }
+  /// Chosen in the list of markers.
+  bool operator()(const NamesOption& names) const { return let_go(*names.value, "none of them"); }
 
-  /// Chosen in the picture; here they are named, and can be let go of.
-  bool operator()(const NodesOption& nodes) const {
-    if (!button(id_, elided(value_text(option_), ImGui::GetContentRegionAvail().x * 0.7F),
-                {.tooltip = tip_ + " Click: none of them."}))
-      return false;
-    nodes.value->clear();
-    return true;
-  }
+  /// Chosen in the picture.
+  bool operator()(const NodesOption& nodes) const { return let_go(*nodes.value, "none of them"); }
 
-  /// Chosen below the list of markers, or named by a recipe; here it can be let go of.
-  bool operator()(const FileOption& file) const {
-    if (!button(id_, elided(value_text(option_), ImGui::GetContentRegionAvail().x * 0.7F),
-                {.tooltip = tip_ + " Click: none."}))
-      return false;
-    file.value->clear();
-    return true;
-  }
+  /// Chosen below the list of markers, or named by a recipe.
+  bool operator()(const FileOption& file) const { return let_go(*file.value, "none"); }
 
   bool operator()(const SwitchOption& on) const {
     return checkbox(id_, std::string(option_.label), *on.value, tip_);
@@ -150,6 +132,16 @@ class Field {
   }
 
  private:
+  /// Of what is chosen elsewhere: here it is named, and can be let go of.
+  template <class Value>
+  bool let_go(Value& value, const std::string& to) const {
+    const float room = ImGui::GetContentRegionAvail().x * 0.7F;
+    if (!button(id_, elided(value_text(option_), room), {.tooltip = tip_ + " Click: " + to + "."}))
+      return false;
+    value.clear();
+    return true;
+  }
+
   static bool alone(const SharesOption& shares, std::size_t part) {
     for (std::size_t i = 0; i < shares.parts.size(); ++i)
       if (*shares.parts[i].share != (i == part ? 1 : 0)) return false;
@@ -248,18 +240,12 @@ class CommandFields {
   void body(MoveCommand& command, std::size_t number) {
     MovingBody& body = command.bodies[number];
     if (command.bodies.size() == 1) return rows(option_table(body.motion));
-    text_wrapped("Motion of " + listed(body.markers));
+    text_wrapped("Motion of " + joined(body.markers));
     changed_ |= option_form(prefix_ + "/body" + std::to_string(number), option_table(body.motion));
   }
 
-  static std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text;
-  }
-
   void wall(LayerWall& wall, const std::string& prefix) {
-    text_wrapped("Layers at " + listed(wall.markers));
+    text_wrapped("Layers at " + joined(wall.markers));
     changed_ |= option_form(prefix, option_table(wall.spacing));
   }
 

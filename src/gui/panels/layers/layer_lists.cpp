@@ -8,10 +8,18 @@ namespace winslow::gui {
 
 namespace {
 
+/// What a row of a list in the panel of layers says: two lines.
+struct ListRow {
+  std::string id;
+  std::string title, summary;
+  std::string tip, remove_tip;
+  bool selected = false;
+};
+enum class RowAnswer { none, pressed, removed };
+
 float row_height(const Theme& theme) { return 2 * ImGui::GetTextLineHeight() + theme.px(10); }
 
-}  // namespace
-
+/// Draws a row, with a cross at its end that removes it.
 RowAnswer draw_list_row(const ListRow& row, const Theme& theme) {
   const float pad = theme.px(6), cross = theme.px(26), line = ImGui::GetTextLineHeight();
   const ImVec2 start = ImGui::GetCursorScreenPos();
@@ -40,6 +48,7 @@ RowAnswer draw_list_row(const ListRow& row, const Theme& theme) {
   return pressed ? RowAnswer::pressed : RowAnswer::none;
 }
 
+/// A frame for so many rows, those beyond the fifth by scrolling. draw: one row, false: no more.
 void draw_list(const char* id, std::size_t count, const Theme& theme,
                const std::function<bool(std::size_t)>& draw) {
   if (count == 0) return;
@@ -53,8 +62,6 @@ void draw_list(const char* id, std::size_t count, const Theme& theme,
   ImGui::PopStyleVar(2);
   ImGui::Spacing();  // the list itself ends without a gap
 }
-
-namespace {
 
 /// "25 layers, first 1e-05, ratio 1.2, in part".
 std::string summary(const LayerWall& wall) {
@@ -74,12 +81,6 @@ std::vector<Index> indices(const std::vector<std::string>& names, const Topology
 }
 
 }  // namespace
-
-std::string marker_list(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 LayerWall* WallList::find(const std::vector<std::string>& markers) {
   const auto found = std::ranges::find_if(walls_, [&](const LayerWall& wall) {
@@ -105,7 +106,7 @@ void WallList::draw(const PanelContext& context) {
 /// False if the wall was taken out.
 bool WallList::draw_row(const PanelContext& context, std::size_t k) {
   const LayerWall& wall = walls_[k];
-  const std::string names = marker_list(wall.markers);
+  const std::string names = joined(wall.markers);
   std::vector<Index> markers = indices(wall.markers, *context.topology());
   std::ranges::sort(markers);
   const RowAnswer answer = draw_list_row(

@@ -11,8 +11,6 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr float point_size = 7.5f;  // radius, units of the layout
-
 ImVec4 mixed(const ImVec4& a, const ImVec4& b, float share) {
   return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z), 1};
 }
@@ -146,7 +144,7 @@ class Painter {
 
   /// Numbered discs, and dots where a disc would lie over another.
   void paint_points() {
-    const float disc = sphere_disc(theme_);
+    const float disc = theme_.px(disc_size);
     std::vector<ImVec2> discs;
     for (const std::size_t k : front_points()) {
       const bool lit = d_.lit == k;
@@ -164,11 +162,7 @@ class Painter {
                ImVec2(ends_[k].x - radius, ends_[k].y - radius),
                ImVec2(ends_[k].x + radius, ends_[k].y + radius));
       if (!room) continue;
-      const std::string number = std::to_string(k + 1);
-      ImFont* font = theme_.small;
-      const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e6f, 0, number.c_str());
-      list_.AddText(font, font->FontSize, ImVec2(ends_[k].x - size.x / 2, ends_[k].y - size.y / 2),
-                    lit ? IM_COL32_WHITE : palette().text, number.c_str());
+      draw_number(list_, theme_, ends_[k], k, lit);
     }
   }
 
@@ -184,7 +178,7 @@ class Painter {
         const float length = std::hypot(out.x, out.y);
         if (length < 1) continue;
         out = ImVec2(out.x / length, out.y / length);
-        const float off = sphere_disc(theme_) + theme_.px(2) + std::abs(out.x) * size.x / 2 +
+        const float off = theme_.px(disc_size) + theme_.px(2) + std::abs(out.x) * size.x / 2 +
                           std::abs(out.y) * size.y / 2;
         const ImVec2 middle(ends_[k].x + off * out.x, ends_[k].y + off * out.y);
         if (labels_.place(middle, text, negative ? palette().danger : palette().text,
@@ -311,8 +305,6 @@ void draw_angle_legend(const Theme& theme, const ColorScale& colors) {
       "pi, "
       "12.57.");
 }
-
-float sphere_disc(const Theme& theme) { return theme.px(point_size); }
 
 std::vector<bool> points_in_front(const SpaceCamera& camera, const SphereLink& link,
                                   const SphereStar& star) {

@@ -32,8 +32,6 @@ void draw_sphere(ImDrawList& list, const Theme& theme, const SpaceCamera& camera
 /// A strip with the colours and both ends of the scale, across the row.
 void draw_angle_legend(const Theme& theme, const ColorScale& colors);
 
-/// The radius of a point's disc, pixels.
-float sphere_disc(const Theme& theme);
 /// Points that lie before the solid, the others have none of the mouse.
 std::vector<bool> points_in_front(const SpaceCamera& camera, const SphereLink& link,
                                   const SphereStar& star);

@@ -1,8 +1,6 @@
 #include "gui/panels/vcv/sphere_plot.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
+#include "gui/base/input.h"
 #include "gui/panels/vcv/sphere_drawing.h"
 #include "gui/widgets/controls.h"
 
@@ -21,6 +19,21 @@ double longest_of(const SphereStar& star) {
 
 ScreenBox box_of(const ImVec2& min, const ImVec2& size) {
   return {ScreenPoint(min), ScreenPoint(ImVec2(min.x + size.x, min.y + size.y))};
+}
+
+std::optional<std::size_t> point_at(const SpaceCamera& camera, const SphereLink& link,
+                                    const SphereStar& star, const Theme& theme) {
+  const ScreenPoint mouse(ImGui::GetIO().MousePos);
+  double best = static_cast<double>(theme.px(disc_size) + theme.px(3));
+  std::optional<std::size_t> nearest;
+  const std::vector<bool> front = points_in_front(camera, link, star);
+  for (std::size_t k = 0; k < star.points.size(); ++k) {
+    const double distance = (camera.project(star.points[k]).at - mouse).norm();
+    if (!front[k] || distance > best) continue;
+    best = distance;
+    nearest = k;
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -64,21 +77,6 @@ SpaceCamera SpherePlot::camera_of(std::size_t which, const ScreenBox& area,
   return camera;
 }
 
-std::optional<std::size_t> SpherePlot::point_at(const SpaceCamera& camera, const SphereLink& link,
-                                                const SphereStar& star, const Theme& theme) const {
-  const ScreenPoint mouse(ImGui::GetIO().MousePos);
-  double best = static_cast<double>(sphere_disc(theme) + theme.px(3));
-  std::optional<std::size_t> nearest;
-  const std::vector<bool> front = points_in_front(camera, link, star);
-  for (std::size_t k = 0; k < star.points.size(); ++k) {
-    const double distance = (camera.project(star.points[k]).at - mouse).norm();
-    if (!front[k] || distance > best) continue;
-    best = distance;
-    nearest = k;
-  }
-  return nearest;
-}
-
 void SpherePlot::turn(std::size_t which, const SpaceCamera& camera) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.MouseDelta.x == 0 && io.MouseDelta.y == 0) return;
@@ -105,7 +103,7 @@ bool SpherePlot::follow(const Theme& theme) {
                                       : at.norm() - unit * static_cast<double>(io.MouseDelta.y);
     const ScreenVector size = camera.viewport().size();
     const double room =
-        0.5 * std::min(size.x(), size.y()) - static_cast<double>(sphere_disc(theme) + theme.px(2));
+        0.5 * std::min(size.x(), size.y()) - static_cast<double>(theme.px(disc_size) + theme.px(2));
     drag_->stretch_to(length, unit * room / std::max(share, 0.2));
   } else {
     // Over the sphere through the point; beside it, along its rim.

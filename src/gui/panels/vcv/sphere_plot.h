@@ -28,8 +28,6 @@ class SpherePlot {
   void link(bool linked);
   /// Both are seen from here.
   void look_from(const ViewDirection& direction);
-  const ViewDirection& star_view() const { return from_[0]; }
-  const ViewDirection& vcv_view() const { return from_[1]; }
 
   bool dragging() const { return drag_.has_value(); }
   /// Why the point that is dragged does not follow the mouse, for the line below the picture.
@@ -40,8 +38,6 @@ class SpherePlot {
 
  private:
   SpaceCamera camera_of(std::size_t which, const ScreenBox& area, const SphereStar& star) const;
-  std::optional<std::size_t> point_at(const SpaceCamera& camera, const SphereLink& link,
-                                      const SphereStar& star, const Theme& theme) const;
   void turn(std::size_t which, const SpaceCamera& camera);
   void drive(const VolumeNodalView& view, const SpaceCamera& camera, const Theme& theme,
              Outcome& outcome);

@@ -1,29 +1,62 @@
 #include "gui/panels/vcv/vcv_parts.h"
 
 #include <cctype>
-#include <cstdio>
 
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
 
-std::string formatted(double value, const char* format) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
-}
-
 void draw_figure(const char* id, const char* label, const std::string& value, const char* tip,
                  ImU32 color) {
-  ui::text_dim(label);
-  ui::tooltip(tip);
-  ImGui::SameLine();
-  ui::text_right(value, color);
+  ui::figure(label, value, tip, color);
   ui::note(id);
 }
 
 void edit_vcv(const PanelContext& context, VcvEdit edit) {
   context.emit(action::EditVcvs{{std::move(edit)}});
+}
+
+void take_outcome(const PanelContext& context, const VcvPlotOutcome& outcome, std::size_t& edge) {
+  if (outcome.edit) context.emit(action::EditVcvs{{*outcome.edit}, true});
+  if (outcome.ended) context.emit(action::EndVcvEdit{});
+  if (outcome.cancelled) context.emit(action::CancelVcvEdit{});
+  if (outcome.hovered && ImGui::IsMouseDown(ImGuiMouseButton_Left)) edge = *outcome.hovered;
+}
+
+std::optional<std::size_t> lit_neighbour(const PanelContext& context,
+                                         std::span<const Index> neighbours,
+                                         const std::optional<std::size_t>& hovered) {
+  const auto& node = context.session.nodes().hovered();
+  if (hovered || !node) return hovered;
+  const auto found = std::ranges::find(neighbours, *node);
+  if (found == neighbours.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - neighbours.begin());
+}
+
+void draw_resets(const PanelContext& context, const VcvEdit& reset, bool edited,
+                 const std::vector<Index>& all_edited, const std::array<const char*, 2>& tips) {
+  if (ui::button("vcv/reset", "Reset", {tips[0], ui::ButtonStyle::normal, edited, 0}))
+    edit_vcv(context, reset);
+  ImGui::SameLine();
+  if (ui::button("vcv/reset_all", "Reset all",
+                 {tips[1], ui::ButtonStyle::normal, !all_edited.empty(), 0})) {
+    std::vector<VcvEdit> all;
+    for (const Index node : all_edited) all.push_back({node, {}, {}, {}});
+    context.emit(action::EditVcvs{std::move(all)});
+  }
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  const std::string count = grouped(static_cast<long long>(all_edited.size()));
+  ui::text_dim((all_edited.empty() ? "none" : count) + " edited");
+}
+
+void draw_number(ImDrawList& list, const Theme& theme, const ImVec2& at, std::size_t neighbour,
+                 bool lit) {
+  const std::string number = std::to_string(neighbour + 1);
+  ImFont* font = theme.small;
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e6f, 0, number.c_str());
+  list.AddText(font, font->FontSize, ImVec2(at.x - size.x / 2, at.y - size.y / 2),
+               lit ? IM_COL32_WHITE : palette().text, number.c_str());
 }
 
 void draw_node_hint() {

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "core/vcv/vcv_edit.h"
+#include "gui/base/text.h"
 #include "gui/menu/panel_context.h"
 
 namespace winslow::gui {
@@ -19,8 +20,11 @@ void draw_figure(const char* id, const char* label, const std::string& value, co
 void draw_no_vcv(const std::string& why);
 /// Changes one VCV and smooths.
 void edit_vcv(const PanelContext& context, VcvEdit edit);
-/// By printf.
-std::string formatted(double value, const char* format);
+/// The radius of a neighbour's disc, in units of the layout.
+inline constexpr float disc_size = 7.5f;
+/// The number of a neighbour, from 1, in the middle of its disc.
+void draw_number(ImDrawList& list, const Theme& theme, const ImVec2& at, std::size_t neighbour,
+                 bool lit);
 
 /// Writes labels where there is room: one that would touch another is left out.
 class LabelPlacer {
@@ -52,5 +56,16 @@ struct VcvPlotOutcome {
   bool ended = false;                  ///< the drag is over
   bool cancelled = false;              ///< by Esc
 };
+/// Emits what has become of the VCV. edge: the one that is chosen, by a press of the mouse.
+void take_outcome(const PanelContext& context, const VcvPlotOutcome& outcome, std::size_t& edge);
+/// The neighbour that is lit up: the one given, or that under the mouse in the mesh.
+std::optional<std::size_t> lit_neighbour(const PanelContext& context,
+                                         std::span<const Index> neighbours,
+                                         const std::optional<std::size_t>& hovered);
+
+/// Buttons that give the node its own VCV again, and all nodes that were edited. reset: of the
+/// node; edited: it was. tips: of both.
+void draw_resets(const PanelContext& context, const VcvEdit& reset, bool edited,
+                 const std::vector<Index>& all_edited, const std::array<const char*, 2>& tips);
 
 }  // namespace winslow::gui

@@ -1,27 +1,16 @@
 #include "gui/panels/vcv/vcv_plot.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
-#include <cstdio>
-
+#include "gui/base/input.h"
 #include "gui/widgets/controls.h"
 
 namespace winslow::gui {
 
 namespace {
 
-constexpr float disc_size = 7.5f;    // radius of a neighbour's disc, units of the layout
 constexpr float star_share = 0.44f;  // of the row
 constexpr double filling = 0.76;     // the longest edge, over half of the picture
 
-std::string text_of(double value, const char* format) {
-  std::array<char, 32> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
-}
-
-std::string angle_text(double angle) { return text_of(degrees(angle), "%.0f\xC2\xB0"); }
+std::string angle_text(double angle) { return formatted(degrees(angle), "%.0f\xC2\xB0"); }
 
 /// What is drawn of one star.
 struct Drawing {
@@ -51,11 +40,7 @@ void draw_disc(const Drawing& d, std::size_t k) {
   const float radius = d.theme.px(disc_size);
   d.list.AddCircleFilled(d.ends[k], radius, lit ? palette().accent : palette().card, 20);
   d.list.AddCircle(d.ends[k], radius, palette().accent, 20, d.theme.px(1.2f));
-  const std::string number = std::to_string(k + 1);
-  ImFont* font = d.theme.small;
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e6f, 0, number.c_str());
-  d.list.AddText(font, font->FontSize, ImVec2(d.ends[k].x - size.x / 2, d.ends[k].y - size.y / 2),
-                 lit ? IM_COL32_WHITE : palette().text, number.c_str());
+  draw_number(d.list, d.theme, d.ends[k], k, lit);
 }
 
 void draw_spokes(const Drawing& d, std::span<const double> weights) {
@@ -88,7 +73,7 @@ void label_weights(const Drawing& d, std::span<const double> weights, LabelPlace
   for (const bool negative : {true, false})
     for (std::size_t k = 0; k < weights.size(); ++k)
       if ((weights[k] < 0) == negative)
-        labels.place(between(d.centre, d.ends[k], 0.52f), text_of(weights[k], "%.2f"),
+        labels.place(between(d.centre, d.ends[k], 0.52f), formatted(weights[k], "%.2f"),
                      negative ? palette().danger : palette().text, palette().card);
 }
 
@@ -117,21 +102,22 @@ VcvEdit numbers_of(const NodalView& view) {
   return edit;
 }
 
-ImVec2 VcvPlot::Frame::pixel(const Vec2& p) const {
+ImVec2 VcvFrame::pixel(const Vec2& p) const {
   const double c = std::cos(turn), s = std::sin(turn);
   return {centre.x + static_cast<float>(scale * (c * p.x() - s * p.y())),
           centre.y - static_cast<float>(scale * (s * p.x() + c * p.y()))};
 }
 
-Vec2 VcvPlot::Frame::point(const ImVec2& p) const {
+Vec2 VcvFrame::point(const ImVec2& p) const {
   const Vec2 q = Vec2(p.x - centre.x, centre.y - p.y) / scale;
   const double c = std::cos(turn), s = std::sin(turn);
   return {c * q.x() + s * q.y(), -s * q.x() + c * q.y()};
 }
 
-VcvPlot::Frame VcvPlot::frame_of(const Star& star, const ImVec2& min, const ImVec2& size,
-                                 double turn) {
-  Frame frame;
+namespace {
+
+VcvFrame frame_of(const Star& star, const ImVec2& min, const ImVec2& size, double turn) {
+  VcvFrame frame;
   frame.min = min;
   frame.max = ImVec2(min.x + size.x, min.y + size.y);
   frame.centre = ImVec2(min.x + size.x / 2, min.y + size.y / 2);
@@ -142,8 +128,8 @@ VcvPlot::Frame VcvPlot::frame_of(const Star& star, const ImVec2& min, const ImVe
   return frame;
 }
 
-std::optional<std::size_t> VcvPlot::end_at(const Frame& frame, const Star& star,
-                                           const ImVec2& mouse, float radius) {
+std::optional<std::size_t> end_at(const VcvFrame& frame, const Star& star, const ImVec2& mouse,
+                                  float radius) {
   std::optional<std::size_t> nearest;
   float best = radius;
   for (std::size_t k = 0; k < star.points.size(); ++k) {
@@ -156,7 +142,53 @@ std::optional<std::size_t> VcvPlot::end_at(const Frame& frame, const Star& star,
   return nearest;
 }
 
-void VcvPlot::drive_drag(const NodalView& view, const Frame& frame, float margin,
+void draw_star(ImDrawList& list, const Theme& theme, const NodalView& view, const VcvFrame& frame,
+               std::optional<std::size_t> lit) {
+  list.PushClipRect(frame.min, frame.max, true);
+  Drawing d{list, theme, view.physical, {}, frame.centre, lit};
+  for (const Vec2& p : view.physical.points) d.ends.push_back(frame.pixel(p));
+  draw_polygon(d);
+  draw_spokes(d, {});
+  std::vector<ImVec2> ellipse;
+  for (const Vec2& p : ellipse_of(view.gradient)) ellipse.push_back(frame.pixel(p));
+  list.AddPolyline(ellipse.data(), static_cast<int>(ellipse.size()), palette().move_line,
+                   ImDrawFlags_Closed, theme.px(1.5f));
+  LabelPlacer labels(list, theme.small, frame.min, frame.max);
+  for (std::size_t k = 0; k < d.ends.size(); ++k) {
+    draw_disc(d, k);
+    labels.block(d.ends[k], theme.px(disc_size));
+  }
+  labels.place(ImVec2(frame.min.x + theme.px(17), frame.min.y + theme.px(10)), "Star",
+               palette().text_dim);
+  label_angles(d, labels);
+  list.PopClipRect();
+}
+
+void draw_vcv(ImDrawList& list, const Theme& theme, const NodalView& view, const Star& star,
+              const VcvFrame& frame, std::optional<std::size_t> lit) {
+  list.PushClipRect(frame.min, frame.max, true);
+  Drawing d{list, theme, star, {}, frame.centre, lit};
+  for (const Vec2& p : star.points) d.ends.push_back(frame.pixel(p));
+  draw_polygon(d);
+  draw_spokes(d, view.weights);
+  LabelPlacer labels(list, theme.small, frame.min, frame.max);
+  for (std::size_t k = 0; k < d.ends.size(); ++k) {
+    draw_disc(d, k);
+    labels.block(d.ends[k], theme.px(disc_size));
+    const float r = theme.px(disc_size);
+    ui::note("vcv/end/" + std::to_string(k), ImVec2(d.ends[k].x - r, d.ends[k].y - r),
+             ImVec2(d.ends[k].x + r, d.ends[k].y + r));
+  }
+  labels.place(ImVec2(frame.min.x + theme.px(17), frame.min.y + theme.px(10)), "VCV",
+               palette().text_dim);
+  label_weights(d, view.weights, labels);
+  label_angles(d, labels);
+  list.PopClipRect();
+}
+
+}  // namespace
+
+void VcvPlot::drive_drag(const NodalView& view, const VcvFrame& frame, float margin,
                          std::optional<std::size_t> under, Outcome& outcome) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!ImGui::IsItemActive()) {
@@ -189,50 +221,6 @@ void VcvPlot::drive_drag(const NodalView& view, const Frame& frame, float margin
   outcome.edit = std::move(wanted);
 }
 
-void VcvPlot::draw_star(ImDrawList& list, const Theme& theme, const NodalView& view,
-                        const Frame& frame, std::optional<std::size_t> lit) {
-  list.PushClipRect(frame.min, frame.max, true);
-  Drawing d{list, theme, view.physical, {}, frame.centre, lit};
-  for (const Vec2& p : view.physical.points) d.ends.push_back(frame.pixel(p));
-  draw_polygon(d);
-  draw_spokes(d, {});
-  std::vector<ImVec2> ellipse;
-  for (const Vec2& p : ellipse_of(view.gradient)) ellipse.push_back(frame.pixel(p));
-  list.AddPolyline(ellipse.data(), static_cast<int>(ellipse.size()), palette().move_line,
-                   ImDrawFlags_Closed, theme.px(1.5f));
-  LabelPlacer labels(list, theme.small, frame.min, frame.max);
-  for (std::size_t k = 0; k < d.ends.size(); ++k) {
-    draw_disc(d, k);
-    labels.block(d.ends[k], theme.px(disc_size));
-  }
-  labels.place(ImVec2(frame.min.x + theme.px(17), frame.min.y + theme.px(10)), "Star",
-               palette().text_dim);
-  label_angles(d, labels);
-  list.PopClipRect();
-}
-
-void VcvPlot::draw_vcv(ImDrawList& list, const Theme& theme, const NodalView& view,
-                       const Star& star, const Frame& frame, std::optional<std::size_t> lit) {
-  list.PushClipRect(frame.min, frame.max, true);
-  Drawing d{list, theme, star, {}, frame.centre, lit};
-  for (const Vec2& p : star.points) d.ends.push_back(frame.pixel(p));
-  draw_polygon(d);
-  draw_spokes(d, view.weights);
-  LabelPlacer labels(list, theme.small, frame.min, frame.max);
-  for (std::size_t k = 0; k < d.ends.size(); ++k) {
-    draw_disc(d, k);
-    labels.block(d.ends[k], theme.px(disc_size));
-    const float r = theme.px(disc_size);
-    ui::note("vcv/end/" + std::to_string(k), ImVec2(d.ends[k].x - r, d.ends[k].y - r),
-             ImVec2(d.ends[k].x + r, d.ends[k].y + r));
-  }
-  labels.place(ImVec2(frame.min.x + theme.px(17), frame.min.y + theme.px(10)), "VCV",
-               palette().text_dim);
-  label_weights(d, view.weights, labels);
-  label_angles(d, labels);
-  list.PopClipRect();
-}
-
 VcvPlot::Outcome VcvPlot::draw(const NodalView& view, std::optional<std::size_t> highlighted,
                                const Theme& theme) {
   Outcome outcome;
@@ -248,7 +236,7 @@ VcvPlot::Outcome VcvPlot::draw(const NodalView& view, std::optional<std::size_t>
     list.AddRectFilled(min, max, palette().card, theme.px(4));
     list.AddRect(min, max, palette().border, theme.px(4));
   }
-  const Frame star_frame = frame_of(view.physical, start, star_size, 0);
+  const VcvFrame star_frame = frame_of(view.physical, start, star_size, 0);
 
   ImGui::InvisibleButton("star", star_size);
   ui::note("vcv/star");
@@ -259,7 +247,7 @@ VcvPlot::Outcome VcvPlot::draw(const NodalView& view, std::optional<std::size_t>
   const bool over_vcv = ImGui::IsItemHovered();
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const float reach = theme.px(disc_size + 4);
-  Frame frame = frame_of(view.vcv, vcv_min, vcv_size, fitted_turn(view.vcv, view.physical));
+  VcvFrame frame = frame_of(view.vcv, vcv_min, vcv_size, fitted_turn(view.vcv, view.physical));
   if (over_vcv) outcome.hovered = end_at(frame, view.vcv, mouse, reach);
   if (over_star) outcome.hovered = end_at(star_frame, view.physical, mouse, reach);
   drive_drag(view, frame, theme.px(disc_size + 2), over_vcv ? outcome.hovered : std::nullopt,

@@ -12,6 +12,15 @@ namespace winslow::gui {
 /// The angles (degrees) and edge lengths of a node's VCV, edited or not.
 VcvEdit numbers_of(const NodalView& view);
 
+/// A picture of a star: where its node is, pixels per unit of length, how far it is turned.
+struct VcvFrame {
+  ImVec2 min, max, centre;
+  double scale = 1;  // an edge may be longer than a float can say
+  double turn = 0;
+  ImVec2 pixel(const Vec2& p) const;
+  Vec2 point(const ImVec2& p) const;
+};
+
 /// A node's physical star beside its VCV, each to scale. In the star, the image of the unit circle
 /// under the nodal Jacobian; on the edges of the VCV the weights, negative ones in red. Neighbours
 /// have the same numbers in both. The ends of the VCV's edges can be dragged.
@@ -23,28 +32,13 @@ class VcvPlot {
   bool dragging() const { return drag_.has_value(); }
 
  private:
-  /// A picture of a star: where its node is, pixels per unit of length, how far it is turned.
-  struct Frame {
-    ImVec2 min, max, centre;
-    double scale = 1;  // an edge may be longer than a float can say
-    double turn = 0;
-    ImVec2 pixel(const Vec2& p) const;
-    Vec2 point(const ImVec2& p) const;
-  };
-  static Frame frame_of(const Star& star, const ImVec2& min, const ImVec2& size, double turn);
-  static std::optional<std::size_t> end_at(const Frame& frame, const Star& star,
-                                           const ImVec2& mouse, float radius);
-  static void draw_star(ImDrawList& list, const Theme& theme, const NodalView& view,
-                        const Frame& frame, std::optional<std::size_t> lit);
-  static void draw_vcv(ImDrawList& list, const Theme& theme, const NodalView& view,
-                       const Star& star, const Frame& frame, std::optional<std::size_t> lit);
-  void drive_drag(const NodalView& view, const Frame& frame, float margin,
+  void drive_drag(const NodalView& view, const VcvFrame& frame, float margin,
                   std::optional<std::size_t> under, Outcome& outcome);
 
   std::optional<VcvDrag> drag_;
-  VcvEdit edit_;        // where the drag has got to
-  Frame drag_frame_;    // scale and turn at its start
-  bool let_go_ = true;  // after Esc the button must come up first
+  VcvEdit edit_;         // where the drag has got to
+  VcvFrame drag_frame_;  // scale and turn at its start
+  bool let_go_ = true;   // after Esc the button must come up first
 };
 
 }  // namespace winslow::gui

@@ -79,7 +79,7 @@ Rgb surface_color(Index marker, const PictureTheme& theme, bool dark) {
 }
 
 std::string number(double value) {
-  return formatted("%.6g", value == 0 ? 0.0 : value);  // no "-0"
+  return formatted(value == 0 ? 0.0 : value, "%.6g");  // no "-0"
 }
 
 /// "Cut at y = 0.5", or by point and normal.

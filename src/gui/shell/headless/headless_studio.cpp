@@ -5,7 +5,6 @@
 #include "gui/picture/capture/capture.h"
 #include "gui/picture/capture/recorder.h"
 #include "gui/picture/figure/vector_figure.h"
-#include "gui/shell/headless/script.h"
 #include "io/recipe/recipe.h"
 
 namespace winslow::gui {

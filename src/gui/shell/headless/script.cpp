@@ -1,7 +1,4 @@
-#include "gui/shell/headless/script.h"
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
+#include "gui/shell/headless/headless_studio.h"
 
 #include <cctype>
 #include <charconv>
@@ -191,7 +188,9 @@ class ScriptPlayer {
   }
 
   /// How many a point of the open mesh has.
-  std::size_t coordinates() { return bench().session().in_space() ? 3 : 2; }
+  std::size_t coordinates() {
+    return static_cast<std::size_t>(bench().session().coordinates().dimension());
+  }
 
   /// A point of the mesh, z = 0 in the plane.
   Vec3 point(const std::vector<std::string>& words, std::size_t first) {

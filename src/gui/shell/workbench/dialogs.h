@@ -1,41 +1,41 @@
 #pragma once
 
-#include "gui/base/screen.h"
-#include "gui/document/actions/actions.h"
 #include "gui/document/actions/document_actions.h"
-#include "gui/menu/panel_context.h"
+#include "gui/panels/dialogs.h"
+#include "gui/panels/files/file_dialog.h"
 
 namespace winslow::gui {
-
-class FileDialog;
 
 /// The windows that come up over the studio: dialogs, the palette of commands, prompts.
 class Dialogs {
  public:
-  explicit Dialogs(const Session& session);
-  ~Dialogs();
-  Dialogs(const Dialogs&) = delete;
-  Dialogs& operator=(const Dialogs&) = delete;
+  explicit Dialogs(const Session& session) : session_(session) {}
 
   void apply(const DialogAction& action) { Dispatch::to(*this, action); }
-  const FileDialog& file_dialog() const;
+  const FileDialog& file_dialog() const { return file_; }
   /// Draws those that are up. window, mesh: their sizes on screen, pixels.
   void draw(const PanelContext& context, const ScreenVector& window, const ScreenVector& mesh);
 
   void on(const action::ShowFileDialog& a);
-  void on(const action::ShowPictureDialog&);
+  void on(const action::ShowPictureDialog&) { picture_.open(); }
   void on(const action::ShowRecordDialog& a);
   void on(const action::ShowStepEditor& a);
-  void on(const action::ChooseStepReference& a);
-  void on(const action::ShowContextMenu& a);
-  void on(const action::ShowHelp&);
-  void on(const action::ShowPalette&);
-  void on(const action::ShowAbout&);
+  void on(const action::ChooseStepReference& a) { step_.set_reference(a.file); }
+  void on(const action::ShowContextMenu& a) { context_.open(a.place); }
+  void on(const action::ShowHelp&) { help_.open(); }
+  void on(const action::ShowPalette&) { palette_.open(); }
+  void on(const action::ShowAbout&) { about_.open(); }
 
  private:
-  struct Windows;
   const Session& session_;
-  std::unique_ptr<Windows> windows_;
+  PictureDialog picture_;
+  RecordDialog record_;
+  FileDialog file_;
+  StepEditor step_;
+  HelpPanel help_;
+  CommandPalette palette_;
+  AboutPanel about_;
+  ContextMenu context_;
   std::optional<std::size_t> recorded_step_;  // that the file dialog is open for
 };
 

@@ -12,10 +12,10 @@ struct RegisteredPanel {
   std::string id;     ///< no other panel has it
   std::string title;  ///< as the user is told of it
   Region region = Region::left;
-  MeshKinds serves;  ///< in place of the panel a line says that it does not serve another mesh
-  std::unique_ptr<Panel> panel;
-  /// Whether it is drawn now; null: always.
-  std::function<bool(const PanelContext&)> shown = {};
+  DrawPanel draw;
+  std::optional<SideTab> tab = {};   ///< that is to be open; none: it has none
+  MeshKinds shown_for = all_meshes;  ///< nothing is said of it while another mesh is open
+  MeshKinds serves = all_meshes;     ///< a line says that it does not serve another mesh
 };
 
 /// The panels of the studio, in the order in which they stand in their regions.

@@ -46,41 +46,11 @@ class Regions {
 
  private:
   void draw_panels(const PanelContext& context, Region region) const;
-  void draw_tabs(const PanelContext& context) const;
   void draw_recording(const PanelContext& context, const Area& area) const;
   void draw_demo_card(const PanelContext& context, const Area& area) const;
 
   PanelRegistry panels_;
   WelcomePanel welcome_;
 };
-
-/// Windows of Dear ImGui that fill an area of the layout.
-
-struct RegionStyle {
-  ImVec2 padding;
-  ImU32 background = palette().panel;
-  ImGuiWindowFlags flags = 0;
-};
-/// Widgets up to end_region() stand in this area. name: no other region has it.
-void begin_region(const char* name, const Area& area, const RegionStyle& style);
-/// A line along the sides, or nothing.
-enum class RegionEdge { line, none };
-void end_region(RegionEdge edge = RegionEdge::line);
-
-/// The columns beside the mesh where they are folded: a strip of icons, each of which opens the
-/// column at one of its parts.
-
-/// A tab of the column on the right.
-struct SideTabInfo {
-  SideTab which;
-  std::string label, tooltip;
-  Icon icon;
-};
-std::span<const SideTabInfo> side_tabs();
-
-void draw_folded_left(const PanelContext& context, const Area& area);
-void draw_folded_right(const PanelContext& context, const Area& area);
-/// Handles at the columns' edges that fold them.
-void draw_fold_handles(const PanelContext& context, const Layout& layout);
 
 }  // namespace winslow::gui

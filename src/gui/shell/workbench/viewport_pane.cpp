@@ -1,9 +1,6 @@
 #include "gui/shell/workbench/viewport_pane.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
-#include "gui/panels/message_panels.h"
+#include "gui/panels/panels.h"
 #include "gui/render/space/space_view.h"
 #include "gui/view/navigation/go_to.h"
 #include "gui/view/overlays/foot_overlay.h"
@@ -279,7 +276,7 @@ void ViewportPane::draw_legend(ImDrawList& list, const MeshFrame& frame, LegendC
 Area ViewportPane::room_under_banner(const MeshFrame& frame) const {
   Area area = frame.layout.viewport;
   if (session_.messages().banner() && !frame.mesh_alone) {
-    const float banner = BannerPanel::height(frame.context, area.width);
+    const float banner = banner_height(frame.context, area.width);
     area.y += banner;
     area.height -= banner;
   }

@@ -144,7 +144,7 @@ std::string list_of(std::span<const Index> ids) {
   return text;
 }
 
-std::string coordinate(double value) { return formatted("%.8g", value); }
+std::string coordinate(double value) { return formatted(value, "%.8g"); }
 
 using Lines = std::vector<std::pair<std::string, std::string>>;
 

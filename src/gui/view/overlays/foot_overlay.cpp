@@ -15,7 +15,7 @@ float draw_scale_bar(ImDrawList& list, const ViewOverlay& o, const ImVec2& botto
   const double unit = o.view.pixel_size(o.view.to_plane(o.view.viewport().centre()));
   const double length = round_length(unit * static_cast<double>(o.theme.px(140)));
   const auto width = static_cast<float>(length / unit);
-  const std::string text = formatted("%g", length);
+  const std::string text = formatted(length, "%g");
   ImFont& font = *o.theme.small;
   const ImVec2 size = font.CalcTextSizeA(font.FontSize, FLT_MAX, 0, text.c_str());
   const float pad = o.theme.px(6), tick = o.theme.px(5);

@@ -353,7 +353,7 @@ std::string motion_text(const Mover& mover, const View& view) {
   const TypedMotion& typed = mover.typed();
   std::string text;
   if (drag.turns()) {
-    text = typed.active() ? typed_field(typed, 0) : formatted("%+.2f", drag.rotate());
+    text = typed.active() ? typed_field(typed, 0) : formatted(drag.rotate(), "%+.2f");
     text += "\xC2\xB0";
     if (const std::string axis = drag.axis_name(); !axis.empty()) text += " about " + axis;
     if (drag.snapped() && !typed.active()) text += "   steps of 5\xC2\xB0";
@@ -363,7 +363,7 @@ std::string motion_text(const Mover& mover, const View& view) {
   for (std::size_t k = 0; k < along.size(); ++k)
     text += (k == 0 ? "" : "   ") + std::string(along[k].name) + ' ' +
             (typed.active() ? typed_field(typed, k)
-                            : formatted("%+.4g", drag.translate().dot(along[k].along)));
+                            : formatted(drag.translate().dot(along[k].along), "%+.4g"));
   if (typed.active())
     return text + (along.size() > 1 ? "   Tab: next   Enter applies" : "   Enter applies");
   if (drag.snapped()) text += "   steps of " + short_number(drag.snap_step(view));
@@ -437,14 +437,14 @@ std::vector<std::string> measurement_lines(const Measurement& m) {
   const auto rounded = [](double value, double unit) {
     return std::abs(value) < 1e-9 * unit ? 0.0 : value;
   };
-  const auto part = [&](Index k) { return formatted("%+.6g", rounded(m.along[k], m.length)); };
+  const auto part = [&](Index k) { return formatted(rounded(m.along[k], m.length), "%+.6g"); };
   std::vector<std::string> lines;
-  lines.push_back("Length " + formatted("%.6g", m.length));
+  lines.push_back("Length " + formatted(m.length, "%.6g"));
   lines.push_back("x " + part(0) + "   y " + part(1) + (m.direction ? "" : "   z " + part(2)));
-  if (m.direction) lines.push_back(formatted("%.2f\xC2\xB0 against x", rounded(*m.direction, 180)));
-  if (m.faces) lines.push_back("Between the faces " + formatted("%.2f\xC2\xB0", *m.faces));
-  if (m.second) lines.push_back("Second length " + formatted("%.6g", *m.second));
-  if (m.angle) lines.push_back("Angle " + formatted("%.2f\xC2\xB0", *m.angle));
+  if (m.direction) lines.push_back(formatted(rounded(*m.direction, 180), "%.2f\xC2\xB0 against x"));
+  if (m.faces) lines.push_back("Between the faces " + formatted(*m.faces, "%.2f\xC2\xB0"));
+  if (m.second) lines.push_back("Second length " + formatted(*m.second, "%.6g"));
+  if (m.angle) lines.push_back("Angle " + formatted(*m.angle, "%.2f\xC2\xB0"));
   return lines;
 }
 

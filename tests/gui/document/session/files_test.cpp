@@ -7,6 +7,7 @@
 #include "gui/files/file_kinds.h"
 #include "gui/menu/user_command.h"
 #include "gui/panels/files/file_dialog.h"
+#include "gui/shell/headless/headless_studio.h"
 #include "gui/shell/studio.h"
 #include "gui/support/rig.h"
 #include "io/format/mesh_file.h"
@@ -257,9 +258,15 @@ TEST_CASE("the studio draws itself without a display") {
   TemporaryFolder folder;
   const auto mesh = write(folder, ring_mesh());
   const auto png = folder / "studio.png";
-  screenshot_studio({mesh, 640, 480}, png);
+  HeadlessOptions options;
+  options.mesh = mesh;
+  options.picture = png;
+  options.width = 640;
+  options.height = 480;
+  run_headless(options);
   CHECK(fs::file_size(png) > 1000);
-  CHECK_THROWS_AS(screenshot_studio({folder / "none.su2", 640, 480}, png), InputError);
+  options.mesh = folder / "none.su2";
+  CHECK_THROWS_AS(run_headless(options), InputError);
 }
 
 TEST_CASE("without a display the window says what to do instead") {

@@ -7,7 +7,6 @@
 #include "core/quality/quality.h"
 #include "gui/files/assets.h"
 #include "gui/shell/headless/headless_studio.h"
-#include "gui/shell/headless/script.h"
 #include "gui/support/rig.h"
 #include "io/format/mesh_file.h"
 #include "io/recipe/recipe.h"

@@ -209,17 +209,8 @@ TEST_CASE("a picture of the mesh alone has the legend beside the mesh, as the wi
 namespace {
 
 /// Counts how often it is drawn.
-class Counter : public Panel {
- public:
-  explicit Counter(int& count) : count_(count) {}
-  void draw(const PanelContext&) override { ++count_; }
-
- private:
-  int& count_;
-};
-
 RegisteredPanel counter(const char* id, int& count, Region region, MeshKinds serves) {
-  return {id, id, region, serves, std::make_unique<Counter>(count), {}};
+  return {id, id, region, [&count](const PanelContext&) { ++count; }, {}, all_meshes, serves};
 }
 
 }  // namespace
@@ -232,7 +223,7 @@ TEST_CASE("panels are drawn where they stand, if they are shown and serve the me
   registry.add(counter("volume", volume, Region::left, {MeshKind::volume, MeshKind::surface}));
   registry.add(counter("right", right, Region::right, {MeshKind::plane}));
   RegisteredPanel never = counter("hidden", hidden, Region::left, all_meshes);
-  never.shown = [](const PanelContext&) { return false; };
+  never.shown_for = MeshKinds({});
   registry.add(std::move(never));
   const Theme theme;
   ActionQueue actions;
