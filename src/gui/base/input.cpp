@@ -1,6 +1,5 @@
 #include "gui/base/input.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace winslow::gui {

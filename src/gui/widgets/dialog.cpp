@@ -1,6 +1,5 @@
 #include "gui/widgets/dialog.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "gui/base/input.h"
