@@ -15,7 +15,7 @@ using namespace winslow::test;
 
 namespace {
 
-MeshState hole_state(Cells cells = Cells::triangles) {
+MeshState plate_state(Cells cells = Cells::triangles) {
   return make_state(make_mesh(square_with_hole(20, cells)));
 }
 
@@ -37,7 +37,7 @@ MoveCommand turn(double degrees) {
   return command;
 }
 
-MeshState plain_annulus_state() {
+MeshState ring_state() {
   return make_state(make_mesh(annulus(24, 16, std::pow(20.0, 1.0 / 16), Cells::triangles)));
 }
 
@@ -82,7 +82,7 @@ void check_boundary(const MeshState& state, const Coordinates& expected) {
 TEST_CASE("move: the boundary ends where it was sent, the interior follows, the input stays") {
   for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
     CAPTURE(name_of(cells));
-    const MeshState state = hole_state(cells);
+    const MeshState state = plate_state(cells);
     const Coordinates before = state.mesh.coordinates;
     const CommandResult result = execute(small_move(), state);
     CHECK(state.mesh.coordinates == before);
@@ -101,7 +101,7 @@ TEST_CASE("move: the boundary ends where it was sent, the interior follows, the 
 }
 
 TEST_CASE("smooth: only free nodes move, and a second time changes nothing") {
-  MeshState state = hole_state();
+  MeshState state = plate_state();
   constexpr std::uint64_t seed = 1;
   CAPTURE(seed);
   Random random(seed);
@@ -119,7 +119,7 @@ TEST_CASE("smooth: only free nodes move, and a second time changes nothing") {
 }
 
 TEST_CASE("deform by a sine and by a table") {
-  const MeshState state = hole_state(Cells::quads);
+  const MeshState state = plate_state(Cells::quads);
   DeformCommand command;
   command.markers = {"hole"};
   SUBCASE("sine") { command.shape = SineDeformation{0.02, 1, {0, 1}, Fade::both, 0.2}; }
@@ -146,7 +146,7 @@ TEST_CASE("deform by a sine and by a table") {
 }
 
 TEST_CASE("scramble: the same mesh for the same seed, inside the box, boundary untouched") {
-  const MeshState state = hole_state(Cells::mixed);
+  const MeshState state = plate_state(Cells::mixed);
   const CommandResult first = execute(ScrambleCommand{5}, state);
   const CommandResult again = execute(ScrambleCommand{5}, state);
   const CommandResult other = execute(ScrambleCommand{6}, state);
@@ -180,7 +180,7 @@ TEST_CASE("a scrambled seed means these coordinates on every machine") {
 }
 
 TEST_CASE("scramble and smooth give the mesh that smoothing alone gives") {
-  const MeshState state = hole_state(Cells::mixed);
+  const MeshState state = plate_state(Cells::mixed);
   SmoothCommand command;
   command.smooth.targets = TargetBlend::regular();
   const Coordinates expected = execute(command, state).state.mesh.coordinates;
@@ -192,7 +192,7 @@ TEST_CASE("scramble and smooth give the mesh that smoothing alone gives") {
 }
 
 TEST_CASE("moving the boundary only leaves the interior where it is") {
-  const MeshState state = hole_state();
+  const MeshState state = plate_state();
   MoveCommand command = small_move();
   command.how.smooth_after = false;
   const CommandResult result = execute(command, state);
@@ -205,7 +205,7 @@ TEST_CASE("moving the boundary only leaves the interior where it is") {
 }
 
 TEST_CASE("a warm start changes the way, not the result") {
-  const MeshState state = hole_state();
+  const MeshState state = plate_state();
   const CommandResult cold = execute(small_move(), state);
   Coordinates start = cold.state.mesh.coordinates;
   for (Index i = 0; i < start.size(); ++i) {
@@ -225,7 +225,7 @@ TEST_CASE("a warm start changes the way, not the result") {
 
 TEST_CASE("a cache kept over commands, meshes and options changes no bit of the result") {
   SolverCache cache;
-  const MeshState states[] = {hole_state(), plain_annulus_state(), hole_state(Cells::quads)};
+  const MeshState states[] = {plate_state(), ring_state(), plate_state(Cells::quads)};
   for (int round = 0; round < 2; ++round) {
     for (const MeshState& state : states) {
       for (const std::string& name : general_solver_names()) {
@@ -248,7 +248,7 @@ TEST_CASE("a cache kept over commands, meshes and options changes no bit of the 
 }
 
 TEST_CASE("cancelling throws, and leaves the state as it was") {
-  const MeshState state = hole_state();
+  const MeshState state = plate_state();
   const Coordinates before = state.mesh.coordinates;
   for (const int at_call : {1, 2, 5}) {
     Watcher watcher(at_call);
@@ -261,7 +261,7 @@ TEST_CASE("cancelling throws, and leaves the state as it was") {
 }
 
 TEST_CASE("the monitor sees every record of the history, and the coordinates of each") {
-  const MeshState state = hole_state();
+  const MeshState state = plate_state();
   MoveCommand command = small_move();
   command.how.increments = 3;
   Watcher watcher;
@@ -288,7 +288,7 @@ TEST_CASE("the monitor sees every record of the history, and the coordinates of 
 }
 
 TEST_CASE("explicit increments reach the mesh that one step reaches") {
-  const MeshState state = hole_state();
+  const MeshState state = plate_state();
   const CommandResult once = execute(small_move(), state);
   for (const int increments : {1, 2, 5}) {
     CAPTURE(increments);
@@ -302,7 +302,7 @@ TEST_CASE("explicit increments reach the mesh that one step reaches") {
 }
 
 TEST_CASE("a winding that cannot be done at once is done in steps, automatically") {
-  const MeshState state = plain_annulus_state();
+  const MeshState state = ring_state();
   MoveCommand direct = turn(200);
   direct.smooth.formulation = Formulation::pointwise;
   direct.smooth.outer = OuterMethod::picard;
@@ -345,7 +345,7 @@ TEST_CASE("a winding that cannot be done at once is done in steps, automatically
 }
 
 TEST_CASE("the limit of iterations is kept, and said") {
-  const MeshState state = hole_state();
+  const MeshState state = plate_state();
   for (const Formulation formulation : {Formulation::variational, Formulation::pointwise}) {
     for (const int increments : {0, 1}) {
       CAPTURE(formulation_name(formulation));
@@ -366,7 +366,7 @@ TEST_CASE("the limit of iterations is kept, and said") {
 }
 
 TEST_CASE("commands with options out of range are refused") {
-  const MeshState state = hole_state();
+  const MeshState state = plate_state();
   MoveCommand command = small_move();
   SUBCASE("unknown marker") { command.bodies[0].markers = {"wing"}; }
   SUBCASE("no marker") { command.bodies[0].markers = {}; }

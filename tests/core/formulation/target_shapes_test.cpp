@@ -21,7 +21,7 @@ using namespace winslow::test;
 namespace {
 
 /// |J|^2 / (2 det J) of a physical triangle against a term: 1 if it has the target's shape.
-double distortion(const ShapeTerm& term, const Vec2& a, const Vec2& b, const Vec2& c) {
+double distortion_of(const ShapeTerm& term, const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 u = b - a, v = c - a;
   const double area = 0.5 * (u.x() * v.y() - u.y() * v.x());
   return (term.ab * u.squaredNorm() + term.ac * v.squaredNorm() + term.bc * (c - b).squaredNorm()) /
@@ -62,8 +62,8 @@ TEST_CASE("corners at the boundary take the parallelogram of the VCVs beside the
     const auto [a, b, c] = shapes.cells[t];
     at_boundary += topology->on_boundary(a) ? 1 : 0;
     for (Index k = shapes.offsets[t]; k < shapes.offsets[t + 1]; ++k) {
-      CHECK(distortion(shapes.terms[static_cast<std::size_t>(k)], place(a), place(b), place(c)) ==
-            doctest::Approx(1).epsilon(1e-12));
+      CHECK(distortion_of(shapes.terms[static_cast<std::size_t>(k)], place(a), place(b),
+                          place(c)) == doctest::Approx(1).epsilon(1e-12));
     }
   }
   CHECK(at_boundary > 0);
@@ -95,7 +95,7 @@ TEST_CASE("a parallelogram that leans: from the VCV opposite, before and after")
   for (std::size_t t = 0; t < shapes.cells.size(); ++t) {
     const auto [a, b, c] = shapes.cells[t];
     for (Index k = shapes.offsets[t]; k < shapes.offsets[t + 1]; ++k) {
-      CHECK(distortion(shapes.terms[static_cast<std::size_t>(k)], x.xy(a), x.xy(b), x.xy(c)) ==
+      CHECK(distortion_of(shapes.terms[static_cast<std::size_t>(k)], x.xy(a), x.xy(b), x.xy(c)) ==
             doctest::Approx(1).epsilon(1e-12));
     }
   }
@@ -164,7 +164,7 @@ VolumeVcvs various_vcvs(const Mesh& mesh) {
 using Columns = Eigen::Matrix3d;
 
 /// |J|^2 / (3 det J^(2/3)) of the map that takes one set of edges to another.
-double distortion(const Columns& physical, const Columns& target) {
+double distortion_of(const Columns& physical, const Columns& target) {
   const Eigen::Matrix3d j = physical * target.inverse();
   return j.squaredNorm() / (3 * std::pow(j.determinant(), 2.0 / 3.0));
 }
@@ -193,7 +193,7 @@ class ElementEnergy {
       for (std::size_t j = 0, place = 0; j < 4; ++j) {
         if (j != k) others[place++] = j;
       }
-      sum += distortion(physical(k, others), virtual_edges(k, others));
+      sum += distortion_of(physical(k, others), virtual_edges(k, others));
       count += 1;
     }
     return count > 0 ? sum / count : 0;
@@ -212,7 +212,7 @@ class ElementEnergy {
       for (int c = 0; c < 3; ++c)
         target.col(c) = Vec3(places[others[at(c)]].data()) - Vec3(places[k].data());
       if (free(k)) target = virtual_edges(k, others);
-      sum += distortion(physical(k, others), target);
+      sum += distortion_of(physical(k, others), target);
       count += 1;
     }
     return count > 0 ? sum / count : 0;
