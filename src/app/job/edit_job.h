@@ -16,6 +16,6 @@ struct EditJob {
 /// Runs a job. Files are checked before the solve; results are written after it, all or none:
 /// the mesh only if it is valid or files.allow_inverted is set, report and history in any case.
 /// Throws the library's errors; nothing is written then.
-ExitCode run_edit_job(EditJob job);
+ExitCode run_edit_job(const EditJob& job);
 
 }  // namespace winslow::app

@@ -3,7 +3,7 @@
 #include "core/command/command.h"
 #include "core/quality/quality.h"
 #include "core/quality/surface_distance.h"
-#include "io/format/mesh_file.h"
+#include "io/tables/slide_files.h"
 
 namespace winslow::app {
 
@@ -11,6 +11,7 @@ namespace winslow::app {
 struct ZoneRun {
   io::MeshFile source;
   std::vector<std::optional<Command>> commands;  ///< of the job, in order; none: not of this zone
+  std::vector<SlideFiles> files;                 ///< what each of them asks of files
   MeshState result;
   QualityReport quality, before;  ///< of the result; of what was read
   std::optional<SurfaceChange> surface =
@@ -34,8 +35,8 @@ std::vector<std::string> warnings_of(const std::vector<io::MeshFile>& files);
 std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
                                const std::vector<Command>& commands, const std::string& file);
 
-/// Tells the commands what the file says of periodic sides. Of a file of several zones those that
-/// have none go without, as long as others have some.
-void give_pairs(std::vector<ZoneRun>& zones);
+/// Resolves what the commands ask of files. Of a file of several zones those that have no periodic
+/// sides go without, as long as others have some. Throws what io::resolve_files() throws.
+void resolve_files(std::vector<ZoneRun>& zones, const io::ReferenceReader& read);
 
 }  // namespace winslow::app

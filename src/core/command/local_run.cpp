@@ -71,11 +71,8 @@ class MonitorInFrame final : public SolverMonitor {
 
 Command in_frame(Command command, const LocalFrame& frame) {
   std::visit([&](auto& c) { put_in_frame(c, frame); }, command);
-  if (SmoothOptions* smooth = smooth_options(command)) {
+  if (SmoothOptions* smooth = smooth_options(command))
     smooth->keep_outside = to_local(std::move(smooth->keep_outside), frame);
-    auto& surface = smooth->slide.reference.surface;
-    if (surface) surface = moved_to(*surface, frame.origin());
-  }
   return command;
 }
 
@@ -91,6 +88,7 @@ CommandResult run_in_frame(const LocalFrame& frame, const Command& command, cons
     start = frame.to_local(*options.start);
     local_options.start = &start;
   }
+  if (auto& surface = local_options.files.reference) surface = moved_to(*surface, frame.origin());
   CommandResult result = carry_out(in_frame(command, frame), local, local_options);
   Coordinates& x = result.state.mesh.coordinates;
   x = frame.to_mesh(std::move(x), state.mesh.coordinates);

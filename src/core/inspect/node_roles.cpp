@@ -57,7 +57,7 @@ std::vector<std::array<Index, 2>> features_of(const Mesh& mesh, const SlideOptio
 }
 
 /// The classes of a boundary that moves so; none where it cannot.
-std::optional<NodeClasses> classes_of(const Mesh& mesh, const SlideOptions& slide,
+std::optional<NodeClasses> classes_of(const Mesh& mesh, const ResolvedSlide& slide,
                                       const std::vector<std::string>& moving, NodeRoles& out) {
   NodeClasses classes(mesh.topology);
   try {
@@ -124,7 +124,7 @@ void set_overridden(const SlideOptions& slide, NodeRoles& out) {
 }
 
 /// Nodes of a surface mesh: all slide but for those on feature lines, or at corners of these.
-NodeRoles surface_roles(const MeshState& state, const SlideOptions& slide) {
+NodeRoles surface_roles(const MeshState& state, const ResolvedSlide& slide) {
   const Topology& topology = *state.mesh.topology;
   NodeRoles out;
   NodeClasses classes(state.mesh.topology);
@@ -161,13 +161,13 @@ NodeRoles surface_roles(const MeshState& state, const SlideOptions& slide) {
 
 }  // namespace
 
-NodeRoles node_roles(const MeshState& state, const SlideOptions& slide,
+NodeRoles node_roles(const MeshState& state, const ResolvedSlide& slide,
                      const std::vector<std::string>& moving) {
   if (is_surface(*state.mesh.topology)) return surface_roles(state, slide);
   return node_roles(state.mesh, slide, moving);
 }
 
-NodeRoles node_roles(const Mesh& mesh, const SlideOptions& slide,
+NodeRoles node_roles(const Mesh& mesh, const ResolvedSlide& slide,
                      const std::vector<std::string>& moving) {
   NodeRoles out;
   const auto found = classes_of(mesh, slide, moving, out);

@@ -35,10 +35,10 @@ struct NodeRoles {
 };
 
 /// The same of a state of any mesh; nodes of a surface mesh stay on the shape that it was given.
-NodeRoles node_roles(const MeshState& state, const SlideOptions& slide,
+NodeRoles node_roles(const MeshState& state, const ResolvedSlide& slide,
                      const std::vector<std::string>& moving);
 /// moving: markers that a motion takes. Of a plane mesh or a volume mesh.
-NodeRoles node_roles(const Mesh& mesh, const SlideOptions& slide,
+NodeRoles node_roles(const Mesh& mesh, const ResolvedSlide& slide,
                      const std::vector<std::string>& moving);
 
 }  // namespace winslow

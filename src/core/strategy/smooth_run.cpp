@@ -92,7 +92,7 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
     return classes;
   }
   const auto moving = motion ? motion->nodes() : std::span<const Index>();
-  result.boundary = make_boundary_move(options.slide, state.mesh, moving, *classes);
+  result.boundary = make_boundary_move({options.slide, run.files}, state.mesh, moving, *classes);
   if (motion) let_bodies_slide(state.mesh, *motion, *classes, result.boundary);
   classes->set_fixed(run.kept ? *run.kept
                               : nodes_kept_outside(options.keep_outside, *state.mesh.topology,

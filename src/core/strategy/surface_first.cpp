@@ -75,7 +75,7 @@ struct SurfaceOfMesh {
 };
 
 SurfaceOfMesh surface_of(const Mesh& volume, const SlidingBoundary& boundary,
-                         const SlideOptions& slide) {
+                         const ResolvedSlide& slide) {
   std::vector<Index> markers;
   for (const std::string& name : slide.markers)
     markers.push_back(*volume.topology->markers().find(name));
@@ -101,7 +101,7 @@ SurfaceOfMesh surface_of(const Mesh& volume, const SlidingBoundary& boundary,
   auto shape = std::make_shared<SurfaceShape>();
   shape->given = data.coordinates;
   shape->rules = feature_rules(slide);
-  shape->reference = slide.reference;
+  shape->reference = slide.files().reference;
   for (const SlidingPart& part : boundary.parts) {
     SlidingPart renumbered{part.marker, part.description, {}};
     for (const Index node : part.nodes) renumbered.nodes.push_back(number(node));
@@ -118,12 +118,9 @@ SurfaceOfMesh surface_of(const Mesh& volume, const SlidingBoundary& boundary,
 Coordinates smooth_surface(const Mesh& volume, const SlidingBoundary& boundary,
                            const SmoothOptions& options, const RunOptions& run,
                            SmoothResult& result) {
-  const SurfaceOfMesh surface = surface_of(volume, boundary, options.slide);
+  const SurfaceOfMesh surface = surface_of(volume, boundary, {options.slide, run.files});
   SmoothOptions of_surface = options;
-  of_surface.slide.markers.clear();
-  // Numbers of nodes of the volume mesh; its boundary is without those that are held.
-  of_surface.slide.hold_nodes.clear();
-  of_surface.slide.smooth_nodes.clear();
+  of_surface.slide = {};                // of the volume mesh; that of the surface is in its state
   of_surface.vcv = VcvKind::automatic;  // kinds of volume meshes
   StillMonitor monitor(run.monitor, volume.coordinates);
   RunOptions own = run;
@@ -143,7 +140,7 @@ Coordinates smooth_surface(const Mesh& volume, const SlidingBoundary& boundary,
 SmoothResult smooth_surface_first(const MeshState& state, const SmoothOptions& options,
                                   Coordinates& x, const RunOptions& run) {
   const Mesh& mesh = state.mesh;
-  const SlideOptions& slide = options.slide;
+  const ResolvedSlide slide(options.slide, run.files);
   if (mesh.topology->cell_dimension() != 3)
     throw UsageError("surface_first: for a volume mesh, and this is a " +
                      std::string(mesh_kind(*mesh.topology)));
@@ -151,8 +148,9 @@ SmoothResult smooth_surface_first(const MeshState& state, const SmoothOptions& o
     throw UsageError("surface_first: no marker slides: name those whose surface is to be smoothed");
   if (!slide.periodic.empty())
     throw UsageError("surface_first: periodic pairs are smoothed together with the interior");
-  const SlidingBoundary boundary = SlidingBoundary::find(
-      *mesh.topology, mesh.coordinates, slide.markers, feature_rules(slide), reference_of(slide));
+  const SlidingBoundary boundary =
+      SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers, feature_rules(slide),
+                            slide.files().reference.get());
   SmoothResult result;
   const Coordinates there = smooth_surface(mesh, boundary, options, run, result);
   const bool surface_converged = result.converged;

@@ -41,8 +41,8 @@ Recipe parse_recipe(const json& document, const std::filesystem::path& folder) {
 /// moved together.
 Command named_from(Command command, const std::filesystem::path& folder) {
   SmoothOptions* options = smooth_options(command);
-  if (!options || options->slide.reference.name.empty()) return command;
-  std::string& name = options->slide.reference.name;
+  if (!options || options->slide.reference.empty()) return command;
+  std::string& name = options->slide.reference;
   const std::filesystem::path file = std::filesystem::absolute(name).lexically_normal();
   const std::filesystem::path from =
       file.lexically_relative(std::filesystem::absolute(folder).lexically_normal());
