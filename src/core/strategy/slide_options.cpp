@@ -160,8 +160,13 @@ ResolvedSlide::ResolvedSlide(SlideOptions slide, SlideFiles files)
 
 namespace {
 
-/// The pairs of the file, but for those that are also named.
+/// The pairs of the file, but for those that are also named. Throws UsageError if it names none.
 std::vector<GivenPairs> pairs_of_file(const SlideOptions& slide, const GivenPeriodicity& file) {
+  if (file.pairs.empty())
+    throw UsageError(file.source +
+                     ": found no periodic pairs in the file, expected $Periodic (Gmsh), "
+                     "PERIODIC_INDEX= (SU2) or Periodic_t (CGNS) for its markers; name the two "
+                     "markers instead");
   std::vector<GivenPairs> wanted;
   for (const GivenPairs& pair : file.pairs) {
     bool named = false;

@@ -1,6 +1,5 @@
 #include "io/tables/slide_files.h"
 
-#include "core/error.h"
 #include "io/surface/surface.h"
 
 namespace winslow::io {
@@ -20,13 +19,7 @@ SlideFiles resolve_files(const SlideOptions& slide, const FormatDetails* details
                          const ReferenceReader& read) {
   SlideFiles files;
   if (!slide.reference.empty()) files.reference = read(slide.reference);
-  if (!slide.periodic_from_file || !details || !details->periodic) return files;
-  files.periodic = details->periodic;
-  if (files.periodic->pairs.empty())
-    throw UsageError(files.periodic->source +
-                     ": found no periodic pairs in the file, expected $Periodic (Gmsh), "
-                     "PERIODIC_INDEX= (SU2) or Periodic_t (CGNS) for its markers; name the two "
-                     "markers instead");
+  if (slide.periodic_from_file && details) files.periodic = details->periodic;
   return files;
 }
 

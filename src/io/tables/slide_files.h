@@ -25,11 +25,12 @@ using ReferenceReader =
     std::function<std::shared_ptr<const ReferenceSurface>(const std::filesystem::path&)>;
 
 /// All that slide options ask of files. details: of MeshFile; null for a mesh that came from no
-/// file. Throws what `read` throws, and UsageError where periodic pairs of the file are asked for
-/// and it names none.
+/// file. Throws what `read` throws.
 SlideFiles resolve_files(const SlideOptions& slide, const FormatDetails* details,
                          const ReferenceReader& read = read_reference);
-/// The same for a command; nothing for those that do not smooth.
+/// The same for a command; nothing for those that do not smooth. Throws UsageError, too, where
+/// pairs of a mesh that came from no file are asked for. A file without pairs is for execute() to
+/// refuse.
 ResolvedCommand resolve_files(Command command, const FormatDetails* details,
                               const ReferenceReader& read = read_reference);
 

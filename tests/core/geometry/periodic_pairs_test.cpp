@@ -210,9 +210,10 @@ TEST_CASE("pairs of the file are taken where they are wanted, named ones once") 
     }
     return std::string();
   };
-  file->pairs.push_back(listed(mesh, "left", "right", right));
   CHECK(taken() == 0);
   slide.periodic_from_file = true;
+  CHECK(refused().starts_with("a.msh: found no periodic pairs in the file, expected $Periodic"));
+  file->pairs.push_back(listed(mesh, "left", "right", right));
   CHECK(taken() == 1);
   slide.periodic = {"right", "left"};
   CHECK(taken() == 1);

@@ -68,29 +68,34 @@ TEST_CASE("who keeps surfaces is asked for them") {
   CHECK(asked == "cad.stl");
 }
 
-TEST_CASE("no command comes of a request whose file is missing, or wrong, or has no pairs") {
+TEST_CASE("no command comes of a request whose file is missing, or wrong") {
   const TemporaryFolder folder;
   CHECK_THROWS_WITH_AS(io::resolve_files(smooth_on(folder / "none.obj"), nullptr),
                        doctest::Contains("none.obj"), InputError);
   write_text(folder / "wrong.obj", "v 0 0 0\nv 1 0\n");
   CHECK_THROWS_WITH_AS(io::resolve_files(smooth_on(folder / "wrong.obj"), nullptr),
                        doctest::Contains("wrong.obj:2"), InputError);
-  const io::FormatDetails without = details_with(0);
-  CHECK_THROWS_WITH_AS(
-      io::resolve_files(smooth_with_file_pairs(), &without),
-      doctest::Contains("passage.msh: found no periodic pairs in the file, expected $Periodic"),
-      UsageError);
   CHECK_THROWS_WITH_AS(io::resolve_files(smooth_with_file_pairs(), nullptr),
                        "slide.periodic_from_file: the file of the mesh was not read", UsageError);
 }
 
-TEST_CASE("a command that asks for nothing runs as it is, one that does only with its surface") {
+TEST_CASE(
+    "a command that asks for nothing runs as it is, one that does only with what it asks for") {
   const MeshState state = make_state(make_mesh(octasphere(4)));
   CHECK(execute(SmoothCommand{}, state).smooth.converged);
   CHECK_THROWS_WITH_AS(execute(smooth_on("cad.stl"), state),
                        "cad.stl: this reference surface was not read", UsageError);
   CHECK_THROWS_WITH_AS(execute(smooth_with_file_pairs(), state),
                        "slide.periodic_from_file: the file of the mesh was not read", UsageError);
+
+  const io::FormatDetails without = details_with(0);
+  const ResolvedCommand empty = io::resolve_files(smooth_with_file_pairs(), &without);
+  CHECK_THROWS_WITH_AS(
+      execute(empty, make_state(make_mesh(square(4, Cells::triangles)))),
+      doctest::Contains("passage.msh: found no periodic pairs in the file, expected $Periodic"),
+      UsageError);
+  CHECK_THROWS_WITH_AS(execute(empty, state), doctest::Contains("not for a surface mesh"),
+                       UsageError);
 
   // A surface of one's own, from no file: under any name, but under one.
   const MeshData larger = octasphere(12);
