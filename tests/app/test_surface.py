@@ -150,6 +150,10 @@ class Surface(ProgramTest):
         for p in read_obj(self.path("out.obj"))[0]:
             on = norm(bumps(tuple(value / norm(p) for value in p)))
             self.assertAlmostEqual(norm(p), on, delta=2e-4)
+        # A recipe that is written to the working folder names it from there.
+        self.smooth("--reference", "shapes/fine.obj", "--save-recipe", "here.json")
+        self.assertEqual(self.json("here.json")["commands"][0]["smooth"]["slide"]["reference"],
+                         "shapes/fine.obj")
         # The recipe names the file from its own folder, and can be moved together with it.
         recipe = self.json("shapes/p.json")
         self.assertEqual(recipe["commands"][0]["smooth"]["slide"]["reference"], "fine.obj")

@@ -68,14 +68,15 @@ CommandRecord make_record(const Command& command, SmoothResult result) {
 }
 
 /// Applies one command of a zone.
-CommandRecord apply(const Command& command, ZoneRun& zone, bool all_or_nothing,
+CommandRecord apply(const ResolvedCommand& resolved, ZoneRun& zone, bool all_or_nothing,
                     ProgressMonitor& monitor) {
+  const Command& command = resolved.command();
   const std::string name = zone.name();
   RunOptions options;
   options.monitor = &monitor;
   options.all_or_nothing = all_or_nothing;
   monitor.set_label(printable((name.empty() ? "" : name + ": ") + describe(command)));
-  CommandResult result = execute(command, zone.result, options);
+  CommandResult result = execute(resolved, zone.result, options);
   InterruptGuard::check();
   CommandRecord record = make_record(command, std::move(result.smooth));
   record.dimension = result.state.mesh.coordinates.dimension();
@@ -118,12 +119,23 @@ void apply(const EditJob& job, std::vector<ZoneRun>& zones, RunReport& run) {
       if (!own) continue;
       if (auto* move = std::get_if<MoveCommand>(&*own))
         take_pivots(move->bodies, std::get<MoveCommand>(whole).bodies);
-      records[z].push_back(apply(*own, zones[z], !job.files.accept_partial, monitor));
+      records[z].push_back(
+          apply({*own, zones[z].files[k]}, zones[z], !job.files.accept_partial, monitor));
     }
   }
   for (auto& of_zone : records) {
     std::ranges::move(of_zone, std::back_inserter(run.commands));
   }
+}
+
+/// Reads each reference surface once.
+io::ReferenceReader reading_once() {
+  using Surfaces = std::map<std::filesystem::path, std::shared_ptr<const ReferenceSurface>>;
+  return [known = std::make_shared<Surfaces>()](const std::filesystem::path& file) {
+    auto& surface = (*known)[file];
+    if (!surface) surface = io::read_reference(file);
+    return surface;
+  };
 }
 
 double fraction_reached(const RunReport& run) {
@@ -371,17 +383,20 @@ nlohmann::json describe(const std::vector<ZoneRun>& zones, const RunReport& run)
 
 }  // namespace
 
-ExitCode run_edit_job(EditJob job) {
+ExitCode run_edit_job(const EditJob& job) {
   check_files(job.files);
   check_options(job.commands);
-  for (Command& command : job.commands)
-    if (SmoothOptions* smooth = smooth_options(command)) io::resolve_reference(smooth->slide);
+  const io::ReferenceReader references = reading_once();
+  // Surfaces that cannot be read are told of before the mesh is read, which may take long.
+  for (const Command& command : job.commands)
+    if (const SmoothOptions* smooth = smooth_options(command))
+      io::resolve_files(smooth->slide, nullptr, references);
   const InterruptGuard interrupts;
   Stopwatch total, lap;
   RunReport run{job.name, job.files.input, job.files.output, false, {}, {}, {}};
 
   std::vector<ZoneRun> zones = load(job, run);
-  give_pairs(zones);
+  resolve_files(zones, references);
   run.seconds.load = lap.lap();
   InterruptGuard::check();
 

@@ -5,7 +5,7 @@
 #include "core/command/command.h"
 #include "core/quality/quality.h"
 #include "core/quality/surface_distance.h"
-#include "io/format/mesh_file.h"
+#include "io/tables/slide_files.h"
 
 namespace winslow::app {
 
@@ -13,6 +13,7 @@ namespace winslow::app {
 struct ZoneRun {
   io::MeshFile source;
   std::vector<std::optional<Command>> commands;  ///< of the job, in order; none: not of this zone
+  std::vector<SlideFiles> files;                 ///< what each of them asks of files
   MeshState result;
   QualityReport quality, before;  ///< of the result; of what was read
   std::optional<SurfaceChange> surface =
@@ -36,9 +37,9 @@ std::vector<std::string> warnings_of(const std::vector<io::MeshFile>& files);
 std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
                                const std::vector<Command>& commands, const std::string& file);
 
-/// Tells the commands what the file says of periodic sides. Of a file of several zones those that
-/// have none go without, as long as others have some.
-void give_pairs(std::vector<ZoneRun>& zones);
+/// Resolves what the commands ask of files. Of a file of several zones those that have no periodic
+/// sides go without, as long as others have some. Throws what io::resolve_files() throws.
+void resolve_files(std::vector<ZoneRun>& zones, const io::ReferenceReader& read);
 
 /// Throws UsageError for a marker that the mesh does not have; the message suggests the nearest and
 /// lists what there is. `file` is the mesh's name for the message.
@@ -58,6 +59,6 @@ struct EditJob {
 /// Runs a job. Files are checked before the solve; results are written after it, all or none:
 /// the mesh only if it is valid or files.allow_inverted is set, report and history in any case.
 /// Throws the library's errors; nothing is written then.
-ExitCode run_edit_job(EditJob job);
+ExitCode run_edit_job(const EditJob& job);
 
 }  // namespace winslow::app

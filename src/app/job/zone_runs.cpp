@@ -1,7 +1,6 @@
 #include "app/job/edit_job.h"
 #include "app/options/flags.h"
 #include "core/error.h"
-#include "io/tables/slide_files.h"
 
 namespace winslow::app {
 namespace {
@@ -132,7 +131,7 @@ std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
   for (const io::MeshFile& zone : zones) topologies.push_back(zone.mesh.topology.get());
   check_markers(commands, topologies, file);
   if (zones.size() == 1) {
-    return {ZoneRun{std::move(zones[0]), {commands.begin(), commands.end()}, {}, {}, {}}};
+    return {ZoneRun{std::move(zones[0]), {commands.begin(), commands.end()}, {}, {}, {}, {}}};
   }
   std::vector<ZoneRun> runs;
   for (io::MeshFile& zone : zones) {
@@ -150,7 +149,7 @@ std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
   return runs;
 }
 
-void give_pairs(std::vector<ZoneRun>& zones) {
+void resolve_files(std::vector<ZoneRun>& zones, const io::ReferenceReader& read) {
   const auto named = [](const ZoneRun& zone) {
     const auto& details = zone.source.details;
     return details && details->periodic && !details->periodic->pairs.empty();
@@ -158,11 +157,11 @@ void give_pairs(std::vector<ZoneRun>& zones) {
   const bool any = std::ranges::any_of(zones, named);
   for (ZoneRun& zone : zones) {
     for (std::optional<Command>& command : zone.commands) {
-      if (!command) continue;
-      SmoothOptions* smooth = smooth_options(*command);
+      SlideFiles& files = zone.files.emplace_back();
+      SmoothOptions* smooth = command ? smooth_options(*command) : nullptr;
       if (!smooth) continue;
-      io::resolve_pairs(smooth->slide, zone.source.details.get());
-      if (any && !named(zone)) smooth->slide.file_pairs.wanted = false;
+      if (any && !named(zone)) smooth->slide.periodic_from_file = false;
+      files = io::resolve_files(smooth->slide, zone.source.details.get(), read);
     }
   }
 }

@@ -11,8 +11,8 @@
 #include "gui/picture/figure/vector_figure.h"
 #include "gui/picture/picture.h"
 #include "gui/render/color_scale.h"
-#include "io/format/mesh_file.h"
 #include "io/recipe/recipe.h"
+#include "io/tables/slide_files.h"
 
 namespace winslow::app {
 namespace {
@@ -124,7 +124,7 @@ class RenderSubcommand : public Subcommand {
       if (flags_.zone == 0) print_warnings(io::zones_left(file.details.get(), flags_.input));
     }
     if (!flags_.frames.empty()) {
-      const std::string said = draw_all_frames(file.mesh, volume);
+      const std::string said = draw_all_frames(file, volume);
       if (!flags_.quiet) std::cout << printable(said) << '\n';
     }
     if (flags_.output.empty()) return ExitCode::done;
@@ -140,9 +140,9 @@ class RenderSubcommand : public Subcommand {
   }
 
  private:
-  std::string draw_all_frames(const Mesh& mesh, bool volume) const {
-    if (flags_.turntable > 0) return draw_turntable(flags_, mesh);
-    const std::vector<Mesh> meshes = frames_of(mesh);
+  std::string draw_all_frames(const io::MeshFile& file, bool volume) const {
+    if (flags_.turntable > 0) return draw_turntable(flags_, file.mesh);
+    const std::vector<Mesh> meshes = frames_of(file);
     return volume ? draw_volume_frames(flags_, meshes) : draw_frames(flags_, meshes);
   }
 
@@ -184,11 +184,14 @@ class RenderSubcommand : public Subcommand {
     return before;
   }
 
-  std::vector<Mesh> frames_of(const Mesh& mesh) const {
+  std::vector<Mesh> frames_of(const io::MeshFile& file) const {
     const io::Recipe recipe = io::read_recipe(flags_.recipe);
-    check_markers(recipe.commands, *mesh.topology, flags_.input);
+    check_markers(recipe.commands, *file.mesh.topology, flags_.input);
+    std::vector<ResolvedCommand> commands;
+    for (const Command& command : recipe.commands)
+      commands.push_back(io::resolve_files(command, file.details.get()));
     const InterruptGuard interrupts;
-    return motion_frames(recipe.commands, make_state(mesh),
+    return motion_frames(commands, make_state(file.mesh),
                          {flags_.per_command, [] { return InterruptGuard::requested(); }});
   }
 

@@ -118,17 +118,15 @@ void require_surface_options(const SmoothOptions& smooth, const Topology& topolo
 }
 
 /// A surface mesh whose nodes were put onto another surface than its own.
-bool is_on_reference(const MeshState& state) {
-  return state.surface && !state.surface->reference.name.empty();
-}
+bool is_on_reference(const MeshState& state) { return state.surface && state.surface->reference; }
 
 /// A state of a surface mesh with the shape that its nodes stay on, put there if that is, or was,
 /// another surface than its own.
-MeshState with_shape(const MeshState& state, const SlideOptions& slide) {
+MeshState with_shape(const MeshState& state, const ResolvedSlide& slide) {
   MeshState copy = state;
   if (!is_surface(*state.mesh.topology)) return copy;
   copy.surface = surface_shape(state, slide);
-  if (is_on_reference(state) || !slide.reference.name.empty())
+  if (is_on_reference(state) || slide.files().reference)
     copy.mesh.coordinates = put_on(copy.surface->boundary, std::move(copy.mesh.coordinates));
   return copy;
 }
@@ -139,8 +137,8 @@ MeshState with_shape(const MeshState& state, const SlideOptions& slide) {
 std::optional<ReferenceStart> on_reference(const Command& command, const MeshState& state,
                                            const RunOptions& options) {
   const SmoothOptions* smooth = smooth_options(command);
-  if (!smooth || smooth->slide.reference.name.empty()) return std::nullopt;
-  ReferenceStart placed = put_on_reference(smooth->slide, state, options.start);
+  if (!smooth || smooth->slide.reference.empty()) return std::nullopt;
+  ReferenceStart placed = put_on_reference({smooth->slide, options.files}, state, options.start);
   if (!std::holds_alternative<SmoothCommand>(command))
     require_no_more_inverted(smooth->slide, state.mesh, placed.state.mesh);
   return placed;
@@ -203,7 +201,7 @@ CommandResult run_motion(const MeshState& state, const Motion& motion, const Mot
 CommandResult execute_one(const SmoothCommand& command, const MeshState& given,
                           const RunOptions& options) {
   validate(command.smooth);
-  const MeshState state = with_shape(given, command.smooth.slide);
+  const MeshState state = with_shape(given, {command.smooth.slide, options.files});
   Coordinates x = starting_point(state, options);
   RunOptions run = options;
   // Edits say what is wanted instead.
@@ -281,7 +279,7 @@ CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
                           const RunOptions& options) {
   validate(command.smooth);
   if (command.edits.empty()) throw UsageError("no VCV is given to edit");
-  MeshState edited = with_shape(state, command.smooth.slide);
+  MeshState edited = with_shape(state, {command.smooth.slide, options.files});
   if (const auto plane = state.vcvs.plane())
     edited.vcvs = edit_vcvs(*plane, command.edits);
   else
@@ -365,11 +363,8 @@ class MonitorInFrame final : public SolverMonitor {
 /// The command said in the coordinates of a frame: pivots, places of displacements, boxes of walls.
 Command in_frame(Command command, const LocalFrame& frame) {
   std::visit([&](auto& c) { put_in_frame(c, frame); }, command);
-  if (SmoothOptions* smooth = smooth_options(command)) {
+  if (SmoothOptions* smooth = smooth_options(command))
     smooth->keep_outside = to_local(std::move(smooth->keep_outside), frame);
-    auto& surface = smooth->slide.reference.surface;
-    if (surface) surface = moved_to(*surface, frame.origin());
-  }
   return command;
 }
 
@@ -391,6 +386,7 @@ CommandResult carry_out_in(const LocalFrame& frame, const Command& command, cons
     start = frame.to_local(*options.start);
     local_options.start = &start;
   }
+  if (auto& surface = local_options.files.reference) surface = moved_to(*surface, frame.origin());
   CommandResult result = carry_out(in_frame(command, frame), local, local_options);
   Coordinates& x = result.state.mesh.coordinates;
   x = frame.to_mesh(std::move(x), state.mesh.coordinates);
@@ -487,7 +483,21 @@ Command with_pivot(Command command, std::span<const MeshState* const> states) {
   return command;
 }
 
-CommandResult execute(const Command& command, const MeshState& state, const RunOptions& options) {
+ResolvedCommand::ResolvedCommand(Command command, SlideFiles files)
+    : command_(std::move(command)), files_(std::move(files)) {
+  const SmoothOptions* smooth = smooth_options(command_);
+  const ResolvedSlide slide(smooth ? smooth->slide : SlideOptions{}, files_);
+  if (files_.reference && !slide.files().reference)
+    throw UsageError(
+        "a reference surface is given, and the command does not name it: expected a "
+        "name in slide.reference");
+}
+
+CommandResult execute(const ResolvedCommand& resolved, const MeshState& state,
+                      const RunOptions& given) {
+  const Command& command = resolved.command();
+  RunOptions options = given;
+  options.files = resolved.files();
   require_dimension(command, state);
   CommandResult result = is_surface(*state.mesh.topology)
                              ? carry_out(command, state, options)

@@ -115,6 +115,30 @@ std::vector<std::string> markers_of(const Command& command);
 /// a body then turns as one. Markers that none has are for execute() to refuse.
 Command with_pivot(Command command, std::span<const MeshState* const> states);
 
+/// A command with all that it asks of files. A command that asks for nothing, as most do, becomes
+/// one by itself; of others io::resolve_files() makes one, or who has the surface:
+///
+///     smooth.smooth.slide.reference = "hull";  // any name
+///     const winslow::ResolvedCommand ready(smooth, {.reference = surface});
+class ResolvedCommand {
+ public:
+  /// Throws UsageError for a command that asks for what is not in `files`, and for a surface that
+  /// it does not name.
+  ResolvedCommand(Command command, SlideFiles files = {});
+  template <class Kind>
+  requires(std::constructible_from<Command, Kind> && !std::same_as<Kind, Command> &&
+           !std::same_as<Kind, ResolvedCommand>)
+      ResolvedCommand(Kind command, SlideFiles files = {})
+      : ResolvedCommand(Command(std::move(command)), std::move(files)) {}
+
+  const Command& command() const { return command_; }
+  const SlideFiles& files() const { return files_; }
+
+ private:
+  Command command_;
+  SlideFiles files_;
+};
+
 struct CommandResult {
   MeshState state;
   SmoothResult smooth;  ///< of commands that smooth nothing: converged, no iterations
@@ -124,7 +148,7 @@ struct CommandResult {
 /// (LocalFrame). Throws UsageError for options that are out of
 /// range, Cancelled, NumericError; the input state is never touched. A result with inverted
 /// elements is returned, not hidden: look at result.smooth.inverted.
-CommandResult execute(const Command& command, const MeshState& state,
+CommandResult execute(const ResolvedCommand& command, const MeshState& state,
                       const RunOptions& options = {});
 
 }  // namespace winslow

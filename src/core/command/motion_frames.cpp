@@ -77,14 +77,15 @@ std::vector<std::vector<Index>> moved_as_bodies(const Command& command, const To
   return moved;
 }
 
-std::vector<Mesh> motion_frames(const std::vector<Command>& commands, MeshState state,
+std::vector<Mesh> motion_frames(const std::vector<ResolvedCommand>& commands, MeshState state,
                                 const FrameChoice& choice) {
   std::vector<Mesh> frames{state.mesh};
-  for (const Command& command : commands) {
+  for (const ResolvedCommand& command : commands) {
     MeshCollector collector(state.mesh.topology, choice);
     RunOptions options;
     options.monitor = &collector;
-    const std::vector<std::vector<Index>> moved = moved_as_bodies(command, *state.mesh.topology);
+    const std::vector<std::vector<Index>> moved =
+        moved_as_bodies(command.command(), *state.mesh.topology);
     state = execute(command, state, options).state;
     std::vector<Mesh> meshes = collector.release();
     meshes.push_back(state.mesh);

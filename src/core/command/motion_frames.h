@@ -18,7 +18,7 @@ struct FrameChoice {
 /// Meshes on the way of commands: the one they start from, then of each command those of its
 /// iterations, of long solves after every second, fourth, ..., its result the last. Where bodies
 /// move, meshes are put in between as meshes_between() makes them. Throws what execute() throws.
-std::vector<Mesh> motion_frames(const std::vector<Command>& commands, MeshState state,
+std::vector<Mesh> motion_frames(const std::vector<ResolvedCommand>& commands, MeshState state,
                                 const FrameChoice& choice = {});
 
 }  // namespace winslow

@@ -13,7 +13,7 @@ bool complete(const CommandResult& result) {
 }  // namespace
 
 /// None: that way ends before the place.
-std::optional<CommandResult> MovingMesh::from_last(const Command& command,
+std::optional<CommandResult> MovingMesh::from_last(const ResolvedCommand& command,
                                                    const RunOptions& options) const {
   if (!last_) return std::nullopt;
   RunOptions run = options;
@@ -27,7 +27,7 @@ std::optional<CommandResult> MovingMesh::from_last(const Command& command,
   return std::nullopt;
 }
 
-CommandResult MovingMesh::to(const Command& command, RunOptions options) {
+CommandResult MovingMesh::to(const ResolvedCommand& command, RunOptions options) {
   options.cache = &cache_;
   options.start = nullptr;
   std::optional<CommandResult> found = from_last(command, options);

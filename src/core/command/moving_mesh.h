@@ -31,12 +31,13 @@ class MovingMesh {
   /// from the mesh as given is tried. options: `start` and `cache` are this object's. The result is
   /// where the next call begins if it is valid, complete and of the same elements. Throws as
   /// execute() does.
-  CommandResult to(const Command& command, RunOptions options = {});
+  CommandResult to(const ResolvedCommand& command, RunOptions options = {});
 
   const MeshState& given() const { return given_; }
 
  private:
-  std::optional<CommandResult> from_last(const Command& command, const RunOptions& options) const;
+  std::optional<CommandResult> from_last(const ResolvedCommand& command,
+                                         const RunOptions& options) const;
 
   MeshState given_;
   std::optional<Coordinates> last_;  // valid; none: the mesh as given

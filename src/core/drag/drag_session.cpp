@@ -56,26 +56,20 @@ class DragSession::Impl final : public SolverMonitor {
  public:
   /// origin: of the coordinates of the state, in those of files.
   Impl(MeshState state, DragGrip grip, const SmoothOptions& options, std::optional<Start> start,
-       ReadReference read, const Vec3& origin)
+       ResolvedSlide slide, const Vec3& origin)
       : state_(std::move(state)),
         grip_(std::move(grip)),
         options_(options),
-        read_(std::move(read)),
+        slide_(std::move(slide)),
         origin_(origin),
         resting_(resolve_motion({}, state_.mesh.coordinates.dimension(), Vec3(0, 0, 0))) {
-    validate(options_);
+    frame_ = first_frame(state_, grip_, options_, start ? &*start : nullptr);
     const auto motion =
         make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, resting_);
     if (grip_.rigid())
       nodes_.assign(motion->nodes().begin(), motion->nodes().end());
     else
       nodes_ = grip_.nodes;
-    frame_.coordinates = start ? std::move(start->coordinates) : state_.mesh.coordinates;
-    frame_.motion = start ? start->motion : resting_;
-    const Validity validity = validity_of(frame_.coordinates);
-    if (validity.inverted > 0)
-      throw UsageError("a drag starts from a mesh without inverted elements");
-    frame_.min_sine = validity.min_sine;
     wanted_ = frame_.motion;
     const Box<3> body = body_box(state_.mesh.coordinates, nodes_);
     centre_ = body.centre();
@@ -225,13 +219,12 @@ class DragSession::Impl final : public SolverMonitor {
   /// Nodes that slide on a reference surface are put there, as they are when the command that ends
   /// the drag is carried out.
   void prepare() {
-    ReferenceFile& reference = options_.slide.reference;
-    if (reference.name.empty()) return;
-    if (!reference.surface && read_) reference.surface = read_(reference.name);
-    if (reference.surface && origin_ != Vec3(0, 0, 0))
-      reference.surface = moved_to(*reference.surface, origin_);
-    ReferenceStart placed = put_on_reference(options_.slide, state_, &solved_);
-    require_no_more_inverted(options_.slide, state_.mesh, placed.state.mesh);
+    SlideFiles files = slide_.files();
+    if (!files.reference) return;
+    if (origin_ != Vec3(0, 0, 0)) files.reference = moved_to(*files.reference, origin_);
+    slide_ = {options_.slide, std::move(files)};
+    ReferenceStart placed = put_on_reference(slide_, state_, &solved_);
+    require_no_more_inverted(slide_, state_.mesh, placed.state.mesh);
     // Where the body is does not change: it does not slide.
     state_.mesh.coordinates = std::move(placed.state.mesh.coordinates);
     solved_ = placed.start ? std::move(*placed.start) : state_.mesh.coordinates;
@@ -246,6 +239,7 @@ class DragSession::Impl final : public SolverMonitor {
     run.monitor = this;
     run.start = &start;
     run.cache = &cache_;
+    run.files = slide_.files();
     const SmoothResult result = smooth_motion(state_, *motion, {}, options_, x, run);
     if (result.contact) contact_ = result.contact->edges;
     if (validity_of(x).inverted > 0) x = start;
@@ -258,6 +252,7 @@ class DragSession::Impl final : public SolverMonitor {
     RunOptions run;
     run.monitor = this;
     run.cache = &cache_;
+    run.files = slide_.files();
     run.all_or_nothing = true;
     Coordinates other = state_.mesh.coordinates;
     smooth_motion(state_, *motion, {}, options_, other, run);
@@ -302,8 +297,8 @@ class DragSession::Impl final : public SolverMonitor {
 
   MeshState state_;  // its coordinates are the worker's
   DragGrip grip_;
-  SmoothOptions options_;  // their reference surface is the worker's
-  ReadReference read_;
+  SmoothOptions options_;
+  ResolvedSlide slide_;  // the worker's
   Vec3 origin_;
   RigidMotion resting_;
   std::vector<Index> nodes_;
@@ -343,8 +338,24 @@ const Mesh& mesh_of(const MeshState& state) {
 
 }  // namespace
 
+DragFrame DragSession::first_frame(const MeshState& state, const DragGrip& grip,
+                                   const SmoothOptions& options, const Start* start) {
+  const Mesh& mesh = mesh_of(state);
+  validate(options);
+  const RigidMotion resting = resolve_motion({}, mesh.coordinates.dimension(), Vec3(0, 0, 0));
+  make_motion(*mesh.topology, mesh.coordinates, grip, resting);  // the markers
+  DragFrame frame;
+  frame.coordinates = start ? start->coordinates : mesh.coordinates;
+  frame.motion = start ? start->motion : resting;
+  const Validity validity = check_validity(*mesh.topology, frame.coordinates, options.threads);
+  if (validity.inverted > 0)
+    throw UsageError("a drag starts from a mesh without inverted elements");
+  frame.min_sine = validity.min_sine;
+  return frame;
+}
+
 DragSession::DragSession(MeshState state, DragGrip grip, const SmoothOptions& options,
-                         std::optional<Start> start, ReadReference read)
+                         std::optional<Start> start, const SlideFiles& files)
     : frame_(mesh_of(state)), dimension_(state.mesh.coordinates.dimension()) {
   if (frame_.shifts()) {
     rest_ = state.mesh.coordinates;
@@ -357,7 +368,7 @@ DragSession::DragSession(MeshState state, DragGrip grip, const SmoothOptions& op
   SmoothOptions local = options;
   local.keep_outside = to_local(std::move(local.keep_outside), frame_);
   impl_ = std::make_unique<Impl>(std::move(state), std::move(grip), local, std::move(start),
-                                 std::move(read), frame_.origin());
+                                 ResolvedSlide(options.slide, files), frame_.origin());
 }
 DragSession::~DragSession() = default;
 

@@ -34,14 +34,16 @@ class DragSession {
     Coordinates coordinates;
     RigidMotion motion;
   };
-  /// Reads the reference surface that options name, for one that was not read: the session calls
-  /// it once, on its own thread. What it throws is error().
-  using ReadReference = std::function<std::shared_ptr<const ReferenceSurface>(const std::string&)>;
   /// state: a valid mesh, which the motions refer to. grip: what is held. start: where the drag
-  /// goes on from, if not from the state itself. Throws UsageError for unknown markers,
-  /// out-of-range options, a tangled mesh or a surface mesh.
+  /// goes on from, if not from the state itself. files: what the options ask for. Throws UsageError
+  /// for unknown markers, out-of-range options, those that ask for what is not in `files`, a
+  /// tangled mesh or a surface mesh.
   DragSession(MeshState state, DragGrip grip, const SmoothOptions& options,
-              std::optional<Start> start = {}, ReadReference read = {});
+              std::optional<Start> start = {}, const SlideFiles& files = {});
+  /// What is shown at first, for who has yet to read the files. start: null for none. Throws what
+  /// the constructor throws of all but files.
+  static DragFrame first_frame(const MeshState& state, const DragGrip& grip,
+                               const SmoothOptions& options, const Start* start);
   ~DragSession();
   DragSession(const DragSession&) = delete;
   DragSession& operator=(const DragSession&) = delete;

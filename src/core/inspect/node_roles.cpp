@@ -39,7 +39,7 @@ std::vector<std::array<Index, 2>> features_of(const Mesh& mesh, const SlideOptio
 }
 
 /// The classes of nodes with these options; none if the boundary cannot move so.
-std::optional<NodeClasses> classes_of(const Mesh& mesh, const SlideOptions& slide,
+std::optional<NodeClasses> classes_of(const Mesh& mesh, const ResolvedSlide& slide,
                                       const std::vector<std::string>& moving, NodeRoles& out) {
   NodeClasses classes(mesh.topology);
   try {
@@ -101,7 +101,7 @@ void set_overridden(const SlideOptions& slide, NodeRoles& out) {
 }
 
 /// Roles in a surface mesh: all nodes slide, except those on feature lines and at their corners.
-NodeRoles surface_roles(const MeshState& state, const SlideOptions& slide) {
+NodeRoles surface_roles(const MeshState& state, const ResolvedSlide& slide) {
   const Topology& topology = *state.mesh.topology;
   NodeRoles out;
   NodeClasses classes(state.mesh.topology);
@@ -136,13 +136,13 @@ NodeRoles surface_roles(const MeshState& state, const SlideOptions& slide) {
 
 }  // namespace
 
-NodeRoles node_roles(const MeshState& state, const SlideOptions& slide,
+NodeRoles node_roles(const MeshState& state, const ResolvedSlide& slide,
                      const std::vector<std::string>& moving) {
   if (is_surface(*state.mesh.topology)) return surface_roles(state, slide);
   return node_roles(state.mesh, slide, moving);
 }
 
-NodeRoles node_roles(const Mesh& mesh, const SlideOptions& slide,
+NodeRoles node_roles(const Mesh& mesh, const ResolvedSlide& slide,
                      const std::vector<std::string>& moving) {
   NodeRoles out;
   const auto found = classes_of(mesh, slide, moving, out);

@@ -37,10 +37,10 @@ struct NodeRoles {
 
 /// The roles of the nodes of a state with any kind of mesh. Nodes of a surface mesh slide on the
 /// surface of the state.
-NodeRoles node_roles(const MeshState& state, const SlideOptions& slide,
+NodeRoles node_roles(const MeshState& state, const ResolvedSlide& slide,
                      const std::vector<std::string>& moving);
 /// The same for a plane mesh or a volume mesh. moving: markers that a motion moves.
-NodeRoles node_roles(const Mesh& mesh, const SlideOptions& slide,
+NodeRoles node_roles(const Mesh& mesh, const ResolvedSlide& slide,
                      const std::vector<std::string>& moving);
 
 }  // namespace winslow

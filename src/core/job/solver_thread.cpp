@@ -51,7 +51,7 @@ class SolverThread::Impl final : public SolverMonitor {
       first.command = command;
       publish_locked(std::move(first));
       base_ = state;
-      request_ = Request{job, std::move(state), std::move(command), std::move(start)};
+      request_ = Request{job, std::move(state), std::move(command), std::move(start), resolve_};
     }
     wake_.notify_all();
     return job;
@@ -109,9 +109,9 @@ class SolverThread::Impl final : public SolverMonitor {
     wake_.notify_all();
   }
 
-  void prepare(std::function<void(Command&)> with) {
+  void resolve(Resolve with) {
     const std::lock_guard lock(mutex_);
-    prepare_ = std::move(with);
+    resolve_ = std::move(with);
   }
 
   void wait_for_viewer(std::optional<std::uint64_t> seen) {
@@ -172,6 +172,7 @@ class SolverThread::Impl final : public SolverMonitor {
     std::shared_ptr<const MeshState> state;
     Command command;
     std::optional<Coordinates> start;
+    Resolve resolve;
   };
 
   /// A new target waits until the old one has had one iteration, or a fast mouse would starve the
@@ -239,9 +240,10 @@ class SolverThread::Impl final : public SolverMonitor {
     fresh_target_ = true;
     first_iteration_ = iterations_;
     try {
-      if (prepare_) prepare_(current_.command);
       const RunOptions options{this, current_.start ? &*current_.start : nullptr, &cache_};
-      result = execute(current_.command, *current_.state, options);
+      const Command& command = current_.command;
+      result = execute(current_.resolve ? current_.resolve(command) : ResolvedCommand(command),
+                       *current_.state, options);
       reached_ = result->state.mesh.coordinates;
       topology_ = result->state.mesh.topology;
     } catch (const Cancelled&) {
@@ -271,7 +273,6 @@ class SolverThread::Impl final : public SolverMonitor {
   }
 
   SolverCache cache_;
-  std::function<void(Command&)> prepare_;  // set before the first job; null: nothing
   Request current_;
   std::shared_ptr<const Topology> topology_;  // that reached_ is of
   Coordinates reached_;
@@ -292,6 +293,7 @@ class SolverThread::Impl final : public SolverMonitor {
   std::uint64_t last_job_ = 0;
   std::shared_ptr<const MeshState> base_;
   std::optional<Request> request_;
+  Resolve resolve_;
   std::optional<Command> retarget_;
   std::shared_ptr<const Snapshot> latest_ = std::make_shared<const Snapshot>();
 
@@ -313,7 +315,7 @@ void SolverThread::step(int n) {
 }
 void SolverThread::cancel() { impl_->cancel(); }
 void SolverThread::set_pace(double rate) { impl_->set_pace(rate); }
-void SolverThread::prepare(std::function<void(Command&)> with) { impl_->prepare(std::move(with)); }
+void SolverThread::resolve(Resolve with) { impl_->resolve(std::move(with)); }
 void SolverThread::wait_for_viewer(std::optional<std::uint64_t> seen) {
   impl_->wait_for_viewer(seen);
 }

@@ -62,9 +62,11 @@ class SolverThread {
   /// has seen; the worker waits until that is the latest one. None, as at first: it does not wait.
   /// Pause, step, cancel and another target act at once all the same.
   void wait_for_viewer(std::optional<std::uint64_t> seen);
-  /// Called on the solver's thread with each command before it is carried out, for what a command
-  /// needs from elsewhere (files); what it throws ends the job. Set it before the first job.
-  void prepare(std::function<void(Command&)> with);
+  /// Reads what commands ask of files, on the solver's thread, before each is carried out; what it
+  /// throws ends the job. It holds for the jobs that begin from then on. None, as at first:
+  /// commands that ask for files are refused.
+  using Resolve = std::function<ResolvedCommand(const Command&)>;
+  void resolve(Resolve with);
   /// True while a job is running or paused.
   bool busy() const;
 

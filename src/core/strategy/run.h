@@ -92,6 +92,8 @@ struct RunOptions {
   /// Smoothing in place with `auto` targets: where an element ends below the worst of the mesh as
   /// given, elements around it keep their own shapes.
   bool never_worse = false;
+  /// What the command has of files: execute() sets it.
+  SlideFiles files = {};
   /// Nodes that stay where they are (ascending), of a command with several runs: found once, in the
   /// mesh that it began with. Null: those of SmoothOptions::keep_outside in the mesh of this run.
   const std::vector<Index>* kept = nullptr;

@@ -4,12 +4,6 @@
 
 namespace winslow {
 
-bool same_surface(const ReferenceFile& a, const ReferenceFile& b) {
-  if (a.name != b.name || !a.surface != !b.surface) return false;
-  return a.surface == b.surface ||
-         (a.surface->points == b.surface->points && a.surface->faces == b.surface->faces);
-}
-
 namespace {
 
 OptionTable sliding_rows(SlideOptions& slide) {
@@ -51,14 +45,14 @@ OptionTable sliding_rows(SlideOptions& slide) {
        .flag = "surface-first",
        .applies = !slide.markers.empty()},
       {.key = "reference",
-       .value = FileOption{&slide.reference.name},
+       .value = FileOption{&slide.reference},
        .label = "Reference surface",
        .help = "In space: a surface mesh, from CAD or a scan, that nodes slide on instead of the "
                "surface of the mesh as given; they are put onto it first",
        .advice = "Where the mesh is coarser than the shape that it stands for, or tangled.",
        .object = "slide",
        .flag = "reference",
-       .applies = !slide.reference.name.empty()},
+       .applies = !slide.reference.empty()},
   };
 }
 
@@ -123,7 +117,7 @@ OptionTable pair_rows(SlideOptions& slide) {
        .flag = "periodic",
        .applies = !slide.periodic.empty()},
       {.key = "periodic_from_file",
-       .value = SwitchOption{&slide.file_pairs.wanted},
+       .value = SwitchOption{&slide.periodic_from_file},
        .label = "Periodic pairs of the file",
        .help =
            "Take all periodic pairs that the mesh file names: $Periodic of Gmsh, NPERIODIC= and "
@@ -132,7 +126,7 @@ OptionTable pair_rows(SlideOptions& slide) {
                  "the mesh: choose these two markers as a pair instead.",
        .object = "slide",
        .flag = "periodic-from-file",
-       .applies = slide.file_pairs.wanted},
+       .applies = slide.periodic_from_file},
   };
 }
 
@@ -154,24 +148,26 @@ bool stop_sliding(SlideOptions& slide, const std::string& marker) {
   return std::erase(slide.markers, marker) > 0;
 }
 
-const ReferenceSurface* reference_of(const SlideOptions& slide) {
-  if (slide.reference.name.empty()) return nullptr;
-  if (!slide.reference.surface)
-    throw UsageError(slide.reference.name + ": this reference surface was not read");
-  return slide.reference.surface.get();
+ResolvedSlide::ResolvedSlide(SlideOptions slide, SlideFiles files)
+    : SlideOptions(std::move(slide)), files_(std::move(files)) {
+  if (!reference.empty() && !files_.reference)
+    throw UsageError(reference + ": this reference surface was not read");
+  if (periodic_from_file && !files_.periodic)
+    throw UsageError("slide.periodic_from_file: the file of the mesh was not read");
+  if (reference.empty()) files_.reference.reset();
+  if (!periodic_from_file) files_.periodic.reset();
 }
 
-std::vector<GivenPairs> wanted_pairs(const SlideOptions& slide) {
-  std::vector<GivenPairs> wanted;
-  if (!slide.file_pairs.wanted) return wanted;
-  if (!slide.file_pairs.found)
-    throw UsageError("slide.periodic_from_file: the file of the mesh was not read");
-  const GivenPeriodicity& file = *slide.file_pairs.found;
+namespace {
+
+/// The pairs of the file, but for those that are also named. Throws UsageError if it names none.
+std::vector<GivenPairs> pairs_of_file(const SlideOptions& slide, const GivenPeriodicity& file) {
   if (file.pairs.empty())
     throw UsageError(file.source +
                      ": found no periodic pairs in the file, expected $Periodic (Gmsh), "
                      "PERIODIC_INDEX= (SU2) or Periodic_t (CGNS) for its markers; name the two "
                      "markers instead");
+  std::vector<GivenPairs> wanted;
   for (const GivenPairs& pair : file.pairs) {
     bool named = false;
     for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2)
@@ -181,8 +177,6 @@ std::vector<GivenPairs> wanted_pairs(const SlideOptions& slide) {
   }
   return wanted;
 }
-
-namespace {
 
 /// The pairs of a file on a mesh that has come of the file's, with layers perhaps: then by place.
 std::optional<PeriodicPairs> pairs_on(const Mesh& mesh, const GivenPeriodicity& file,
@@ -221,14 +215,14 @@ void hold(const SlideOptions& slide, std::span<const Index> moving, NodeClasses&
 }
 
 /// The pairs of the sides that are to be periodic, those of halo nodes last.
-std::vector<PeriodicPairs> find_pairs(const SlideOptions& slide, const Mesh& mesh) {
+std::vector<PeriodicPairs> find_pairs(const ResolvedSlide& slide, const Mesh& mesh) {
   std::vector<PeriodicPairs> list;
   for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2)
     list.push_back(PeriodicPairs::find(*mesh.topology, mesh.coordinates, slide.periodic[k],
                                        slide.periodic[k + 1]));
-  for (const GivenPairs& given : wanted_pairs(slide))
-    if (auto pairs = pairs_on(mesh, *slide.file_pairs.found, given))
-      list.push_back(std::move(*pairs));
+  if (const GivenPeriodicity* file = slide.files().periodic.get())
+    for (const GivenPairs& given : pairs_of_file(slide, *file))
+      if (auto pairs = pairs_on(mesh, *file, given)) list.push_back(std::move(*pairs));
   for (const PeriodicPairs& pairs : list)
     for (const std::string& name : {pairs.first, pairs.second})
       if (std::ranges::find(slide.markers, name) != slide.markers.end())
@@ -250,7 +244,7 @@ void keep_sliding_corners(const std::vector<PeriodicPair>& sliding, const NodeCl
 
 }  // namespace
 
-MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
+MovingBoundary make_boundary_move(const ResolvedSlide& slide, const Mesh& mesh,
                                   std::span<const Index> moving, NodeClasses& classes) {
   MovingBoundary out;
   std::vector<Index> taken(moving.begin(), moving.end());
@@ -263,7 +257,7 @@ MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
   if (!slide.markers.empty()) {
     SlidingBoundary boundary =
         SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers, feature_rules(slide),
-                              reference_of(slide), out.periodic);
+                              slide.files().reference.get(), out.periodic);
     for (const SlidingPart& part : boundary.parts) {
       require_at_rest(part.marker, part.nodes, taken);
       classes.set_sliding(part.nodes, boundary.geometry, mesh.coordinates);

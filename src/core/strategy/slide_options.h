@@ -11,26 +11,6 @@
 ///     move.smooth.slide.markers = {"farfield"};
 namespace winslow {
 
-/// A surface from a file, by its name until somebody who can read files has read it.
-struct ReferenceFile {
-  std::string name;  ///< empty: none
-  std::shared_ptr<const ReferenceSurface> surface;
-
-  bool operator==(const ReferenceFile& other) const { return name == other.name; }
-};
-
-/// The very same surface, however often it was read.
-bool same_surface(const ReferenceFile& a, const ReferenceFile& b);
-
-/// Periodic sides that the file of the mesh names. Which those are is known when somebody who can
-/// read files has read it.
-struct FilePairs {
-  bool wanted = false;
-  std::shared_ptr<const GivenPeriodicity> found;
-
-  bool operator==(const FilePairs& other) const { return wanted == other.wanted; }
-};
-
 /// Whether the spacing of nodes along curves that they slide on is held.
 enum class SlideSpacing {
   automatic,  ///< of walls (is_wall())
@@ -39,7 +19,8 @@ enum class SlideSpacing {
 };
 
 /// Nodes of the boundary that move while the mesh is smoothed: those of some markers slide on what
-/// they lie on in the mesh that the command is given, those of periodic pairs move together.
+/// they lie on in the mesh that the command is given, those of periodic pairs move together. What
+/// is asked of files stands here by name; what is in them is SlideFiles.
 struct SlideOptions {
   std::vector<std::string> markers;
   double feature_angle = 40;  ///< degrees by which a marker turns at a corner, which stays
@@ -47,14 +28,14 @@ struct SlideOptions {
   std::vector<std::string> held_markers;  ///< whose spacing is held whatever `spacing` says
   bool features = false;       ///< in space nodes slide along the edges of the markers, too
   bool surface_first = false;  ///< of a volume mesh, the sliding boundary before the interior
-  ReferenceFile reference;     ///< in space: the surface to slide on instead of the mesh's own
+  std::string reference;  ///< in space: file of the surface to slide on instead of the mesh's own
   /// Nodes of the mesh that the command is given, counted from 0.
   std::vector<Index> hold_nodes;      ///< stay, inside the mesh as well
   std::vector<Index> smooth_nodes;    ///< of what slides: no corners, however much it turns there
   std::vector<std::string> periodic;  ///< names of markers, pair after pair
-  FilePairs file_pairs;               ///< besides these
+  bool periodic_from_file = false;    ///< besides these, those that the file of the mesh names
 
-  bool has_pairs() const { return !periodic.empty() || file_pairs.wanted; }
+  bool has_pairs() const { return !periodic.empty() || periodic_from_file; }
   /// Asked for; `automatic` may do so as well.
   bool holds_spacing() const { return spacing == SlideSpacing::held || !held_markers.empty(); }
   bool given() const { return !markers.empty() || has_pairs(); }
@@ -67,12 +48,27 @@ FeatureRules feature_rules(const SlideOptions& slide);
 /// Takes a marker out of those that slide. Returns whether it was one.
 bool stop_sliding(SlideOptions& slide, const std::string& marker);
 
-/// The reference surface; null: none. Throws UsageError for one that was not read.
-const ReferenceSurface* reference_of(const SlideOptions& slide);
+/// What slide options ask of files, as it was found there: io::resolve_files() reads it. A surface
+/// of one's own, from no file, goes by any name in SlideOptions::reference.
+struct SlideFiles {
+  std::shared_ptr<const ReferenceSurface> reference = nullptr;  ///< null: none
+  std::shared_ptr<const GivenPeriodicity> periodic = nullptr;   ///< null: none
+};
 
-/// The pairs of the file, if they are wanted, but for those that are also named. Throws UsageError
-/// if it names none, or was not read.
-std::vector<GivenPairs> wanted_pairs(const SlideOptions& slide);
+/// Slide options with all that they ask of files: what a run is given. There are none of which a
+/// surface is named and not there.
+class ResolvedSlide : public SlideOptions {
+ public:
+  ResolvedSlide() = default;
+  /// What `slide` does not ask for is left out. Throws UsageError where it asks for what is not in
+  /// `files`.
+  ResolvedSlide(SlideOptions slide, SlideFiles files = {});
+
+  const SlideFiles& files() const { return files_; }
+
+ private:
+  SlideFiles files_;
+};
 
 /// What the nodes of the boundary that move were found to do.
 struct MovingBoundary {
@@ -87,7 +83,7 @@ struct MovingBoundary {
 /// Has the nodes of the markers slide and those of the pairs move together, and holds the nodes
 /// that are to stay. Throws UsageError as SlidingBoundary::find(), PeriodicPairs::find() and
 /// PeriodicPairs::of() do, and for a node of them that `moving`, the nodes of a motion, has.
-MovingBoundary make_boundary_move(const SlideOptions& slide, const Mesh& mesh,
+MovingBoundary make_boundary_move(const ResolvedSlide& slide, const Mesh& mesh,
                                   std::span<const Index> moving, NodeClasses& classes);
 
 }  // namespace winslow

@@ -239,14 +239,15 @@ std::vector<Index> yielding_nodes(const MovingBoundary& boundary, const NodeClas
   return nodes;
 }
 
-ReferenceStart put_on_reference(const SlideOptions& slide, const MeshState& state,
+ReferenceStart put_on_reference(const ResolvedSlide& slide, const MeshState& state,
                                 const Coordinates* start) {
   if (slide.markers.empty())
-    throw UsageError(slide.reference.name +
+    throw UsageError(slide.reference +
                      ": a reference surface is for nodes that slide: name their markers");
   const Topology& topology = *state.mesh.topology;
-  const SlidingBoundary boundary = SlidingBoundary::find(
-      topology, state.mesh.coordinates, slide.markers, feature_rules(slide), reference_of(slide));
+  const SlidingBoundary boundary =
+      SlidingBoundary::find(topology, state.mesh.coordinates, slide.markers, feature_rules(slide),
+                            slide.files().reference.get());
   ReferenceStart out{state, std::nullopt};
   out.state.mesh.coordinates = put_on(boundary, std::move(out.state.mesh.coordinates));
   if (start == nullptr) return out;
@@ -263,7 +264,7 @@ void require_no_more_inverted(const SlideOptions& slide, const Mesh& before, con
   const Index had = check_validity(*before.topology, before.coordinates).inverted;
   const Index has = check_validity(*placed.topology, placed.coordinates).inverted;
   if (has > had)
-    throw UsageError(slide.reference.name + ": with their nodes put onto this surface " +
+    throw UsageError(slide.reference + ": with their nodes put onto this surface " +
                      std::to_string(has) + " elements are inverted: smooth the mesh on it first");
 }
 

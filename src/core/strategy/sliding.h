@@ -60,8 +60,8 @@ struct ReferenceStart {
 };
 
 /// Puts the nodes that slide onto the reference surface. Throws UsageError for one that nothing
-/// slides on, or that was not read.
-ReferenceStart put_on_reference(const SlideOptions& slide, const MeshState& state,
+/// slides on.
+ReferenceStart put_on_reference(const ResolvedSlide& slide, const MeshState& state,
                                 const Coordinates* start);
 
 /// A motion leads through valid meshes. Throws UsageError where nodes that were put onto the

@@ -272,9 +272,9 @@ void validate(const SmoothOptions& options) {
           "variational");
   require(is_variational(options) || !options.raise_worst,
           "raise_worst: the pointwise form minimises nothing: choose the formulation variational");
-  require(options.slide.reference.name.empty() || !options.slide.has_pairs(),
+  require(options.slide.reference.empty() || !options.slide.has_pairs(),
           "slide: a reference surface and periodic pairs do not go together");
-  require(options.slide.reference.name.empty() || !options.slide.holds_spacing(),
+  require(options.slide.reference.empty() || !options.slide.holds_spacing(),
           "slide: spacing is held along the curves of the mesh itself, not along those of a "
           "reference surface");
   for (const std::string& name : options.slide.held_markers)

@@ -92,7 +92,7 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
     return classes;
   }
   const auto moving = motion ? motion->nodes() : std::span<const Index>();
-  result.boundary = make_boundary_move(options.slide, state.mesh, moving, *classes);
+  result.boundary = make_boundary_move({options.slide, run.files}, state.mesh, moving, *classes);
   if (motion) let_bodies_slide(state.mesh, *motion, *classes, result.boundary);
   classes->set_fixed(run.kept ? *run.kept
                               : nodes_kept_outside(options.keep_outside, *state.mesh.topology,
@@ -359,7 +359,7 @@ struct SurfaceOfMesh {
 };
 
 SurfaceOfMesh surface_of(const Mesh& volume, const SlidingBoundary& boundary,
-                         const SlideOptions& slide) {
+                         const ResolvedSlide& slide) {
   std::vector<Index> markers;
   for (const std::string& name : slide.markers)
     markers.push_back(*volume.topology->markers().find(name));
@@ -385,7 +385,7 @@ SurfaceOfMesh surface_of(const Mesh& volume, const SlidingBoundary& boundary,
   auto shape = std::make_shared<SurfaceShape>();
   shape->given = data.coordinates;
   shape->rules = feature_rules(slide);
-  shape->reference = slide.reference;
+  shape->reference = slide.files().reference;
   for (const SlidingPart& part : boundary.parts) {
     SlidingPart renumbered{part.marker, part.description, {}};
     for (const Index node : part.nodes) renumbered.nodes.push_back(number(node));
@@ -402,12 +402,9 @@ SurfaceOfMesh surface_of(const Mesh& volume, const SlidingBoundary& boundary,
 Coordinates smooth_surface(const Mesh& volume, const SlidingBoundary& boundary,
                            const SmoothOptions& options, const RunOptions& run,
                            SmoothResult& result) {
-  const SurfaceOfMesh surface = surface_of(volume, boundary, options.slide);
+  const SurfaceOfMesh surface = surface_of(volume, boundary, {options.slide, run.files});
   SmoothOptions of_surface = options;
-  of_surface.slide.markers.clear();
-  // Numbers of nodes of the volume mesh; its boundary is without those that are held.
-  of_surface.slide.hold_nodes.clear();
-  of_surface.slide.smooth_nodes.clear();
+  of_surface.slide = {};                // of the volume mesh; that of the surface is in its state
   of_surface.vcv = VcvKind::automatic;  // kinds of volume meshes
   StillMonitor monitor(run.monitor, volume.coordinates);
   RunOptions own = run;
@@ -427,14 +424,15 @@ Coordinates smooth_surface(const Mesh& volume, const SlidingBoundary& boundary,
 SmoothResult smooth_surface_first(const MeshState& state, const SmoothOptions& options,
                                   Coordinates& x, const RunOptions& run) {
   const Mesh& mesh = state.mesh;
-  const SlideOptions& slide = options.slide;
+  const ResolvedSlide slide(options.slide, run.files);
   require_volume(*mesh.topology, "surface_first: for a volume mesh, and this is a ");
   if (slide.markers.empty())
     throw UsageError("surface_first: no marker slides: name those whose surface is to be smoothed");
   if (!slide.periodic.empty())
     throw UsageError("surface_first: periodic pairs are smoothed together with the interior");
-  const SlidingBoundary boundary = SlidingBoundary::find(
-      *mesh.topology, mesh.coordinates, slide.markers, feature_rules(slide), reference_of(slide));
+  const SlidingBoundary boundary =
+      SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers, feature_rules(slide),
+                            slide.files().reference.get());
   SmoothResult result;
   const Coordinates there = smooth_surface(mesh, boundary, options, run, result);
   const bool surface_converged = result.converged;

@@ -7,21 +7,31 @@
 
 namespace winslow {
 
+namespace {
+
+/// The very same surface, however often it was read.
+bool same_surface(const ReferenceSurface* a, const ReferenceSurface* b) {
+  return a == b || (a && b && a->points == b->points && a->faces == b->faces);
+}
+
+}  // namespace
+
 std::shared_ptr<const SurfaceShape> surface_shape(const MeshState& state,
-                                                  const SlideOptions& options) {
+                                                  const ResolvedSlide& options) {
   if (options.given())
     throw UsageError(
         "sliding markers and periodic pairs: not for a surface mesh, all nodes of which slide");
   const SurfaceShape* known = state.surface.get();
   const FeatureRules rules = feature_rules(options);
-  if (known && known->rules == rules && same_surface(known->reference, options.reference))
+  const auto& reference = options.files().reference;
+  if (known && known->rules == rules && same_surface(known->reference.get(), reference.get()))
     return state.surface;
   auto shape = std::make_shared<SurfaceShape>();
   shape->given = known ? known->given : state.mesh.coordinates;
   shape->rules = rules;
-  shape->reference = options.reference;
+  shape->reference = reference;
   shape->boundary =
-      SlidingBoundary::find(*state.mesh.topology, shape->given, {}, rules, reference_of(options));
+      SlidingBoundary::find(*state.mesh.topology, shape->given, {}, rules, reference.get());
   shape->normals =
       std::make_shared<const ElementNormals>(state.mesh.topology, shape->given, shape->boundary);
   return shape;

@@ -13,7 +13,8 @@ namespace winslow {
 struct SurfaceShape {
   Coordinates given;
   FeatureRules rules;
-  ReferenceFile reference;  ///< the surface that it is of; none: the mesh as given
+  /// The surface that it is of; null: the mesh as given.
+  std::shared_ptr<const ReferenceSurface> reference;
   SlidingBoundary boundary;
   std::shared_ptr<const ElementNormals> normals;
 };
@@ -21,7 +22,7 @@ struct SurfaceShape {
 /// The shape of a surface mesh: the one that the state has, found anew from the same mesh as given
 /// where the options differ. Throws UsageError for options that are for other meshes.
 std::shared_ptr<const SurfaceShape> surface_shape(const MeshState& state,
-                                                  const SlideOptions& options);
+                                                  const ResolvedSlide& options);
 
 /// The shape that a surface mesh has as it is; null where none is found, and of other meshes.
 std::shared_ptr<const SurfaceShape> own_shape(const Mesh& mesh);

@@ -89,8 +89,10 @@ std::vector<UserCommand> moving(const std::vector<Index>& markers) {
 std::vector<UserCommand> partners_of(const PanelContext& context, Index marker) {
   const auto& markers = context.topology()->markers();
   const std::string& own = markers[at(marker)].name;
-  const SlideOptions& slide = context.session.solver_settings().smooth_options().slide;
-  const auto now = partner_of(slide, own), in_file = partner_in_file(slide, own);
+  const SolverSettings& settings = context.session.solver_settings();
+  const GivenPeriodicity* file = settings.file_pairs();
+  const auto now = partner_of(settings.smooth_options().slide, file, own),
+             in_file = partner_in_file(file, own);
   std::vector<std::optional<std::string>> others{std::nullopt};
   if (in_file && in_file != own) others.push_back(in_file);
   for (const Marker& other : markers)

@@ -248,7 +248,7 @@ void StepEditor::open(std::size_t position, Command command) {
 
 std::string StepEditor::reference() {
   const SmoothOptions* options = smooth_options(command_);
-  return options ? options->slide.reference.name : std::string();
+  return options ? options->slide.reference : std::string();
 }
 
 void StepEditor::set_reference(const std::filesystem::path& file) {
@@ -257,7 +257,7 @@ void StepEditor::set_reference(const std::filesystem::path& file) {
   // Recipes and sessions are read elsewhere.
   std::error_code failed;
   const std::filesystem::path whole = std::filesystem::absolute(file, failed);
-  options->slide.reference = {(failed ? file : whole.lexically_normal()).string(), nullptr};
+  options->slide.reference = (failed ? file : whole.lexically_normal()).string();
 }
 
 void StepEditor::draw_fields(const PanelContext& context) {
@@ -270,16 +270,16 @@ void StepEditor::draw_fields(const PanelContext& context) {
     return;
   }
   // It has a row of its own, which can choose a file.
-  const std::string name = std::exchange(options->slide.reference.name, {});
+  const std::string name = std::exchange(options->slide.reference, {});
   ui::command_form("edit", command_, kind);
   options = smooth_options(command_);
-  options->slide.reference.name = name;
+  options->slide.reference = name;
   switch (reference_row(context.theme, "edit/reference", name)) {
     case ReferenceAsk::choose:
       aside_ = true;
       return context.emit(action::ShowFileDialog{FilePurpose::step_reference});
     case ReferenceAsk::clear:
-      options->slide.reference = {};
+      options->slide.reference.clear();
       break;
     case ReferenceAsk::nothing:
       break;

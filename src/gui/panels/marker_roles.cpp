@@ -15,7 +15,8 @@ constexpr std::array words{"fixed", "slides", "periodic", "moves"};
 Role role_of(const PanelContext& context, Index marker, const std::string& name) {
   if (context.session.selection().contains(marker)) return Role::moves;
   const SlideOptions& slide = context.session.solver_settings().smooth_options().slide;
-  if (partner_of(slide, name)) return Role::periodic;
+  if (partner_of(slide, context.session.solver_settings().file_pairs(), name))
+    return Role::periodic;
   return std::ranges::find(slide.markers, name) != slide.markers.end() ? Role::slides : Role::fixed;
 }
 
@@ -50,6 +51,7 @@ std::vector<std::string> told_once(const std::vector<std::string>& lines) {
 }
 
 std::string tip_of(const PanelContext& context, Role role, const std::string& name) {
+  const SolverSettings& settings = context.session.solver_settings();
   switch (role) {
     case Role::moves:
       return name + " is selected: it moves.";
@@ -60,8 +62,7 @@ std::string tip_of(const PanelContext& context, Role role, const std::string& na
              "shape; corners stay. Click: all of it stays. Right click: periodic with another.";
     case Role::periodic:
       return name + " is periodic with " +
-             partner_of(context.session.solver_settings().smooth_options().slide, name)
-                 .value_or("") +
+             partner_of(settings.smooth_options().slide, settings.file_pairs(), name).value_or("") +
              ": their nodes move together and keep matching. Click to choose another marker, or "
              "none.";
     case Role::fixed:
@@ -141,8 +142,8 @@ namespace {
 
 void draw_reference(const PanelContext& context) {
   const SolverSettings& solver = context.session.solver_settings();
-  switch (reference_row(context.theme, "markers/reference",
-                        solver.smooth_options().slide.reference.name, solver.reading_reference())) {
+  switch (reference_row(context.theme, "markers/reference", solver.smooth_options().slide.reference,
+                        solver.reading_reference())) {
     case ReferenceAsk::choose:
       return context.emit(action::ShowFileDialog{FilePurpose::reference});
     case ReferenceAsk::clear:
@@ -155,7 +156,7 @@ void draw_reference(const PanelContext& context) {
 /// Where nodes slide along curves of the mesh: in space along its edges alone.
 void draw_spacing(const PanelContext& context, SlideOptions slide) {
   const bool along_curves = context.session.kind() == MeshKind::plane || slide.features;
-  if (!along_curves || !slide.reference.name.empty()) return;
+  if (!along_curves || !slide.reference.empty()) return;
   const char* tip =
       "Whether nodes keep their relative spacing along the curves that they slide on, as clusters "
       "at leading edges and walls need it: a closed curve then turns as a whole, other stretches "
@@ -202,7 +203,7 @@ void draw_angle(const PanelContext& context, SlideOptions slide, bool& previewed
 }
 
 void draw_file_pairs(const PanelContext& context, SlideOptions slide) {
-  const auto& found = slide.file_pairs.found;
+  const GivenPeriodicity* found = context.session.solver_settings().file_pairs();
   if (!found || found->pairs.empty()) return;
   std::string tip =
       "The file of the mesh names periodic sides: while the mesh is smoothed their "
@@ -211,7 +212,7 @@ void draw_file_pairs(const PanelContext& context, SlideOptions slide) {
     if (!given.halo)
       tip += "\n" + given.first + " and " + given.second +
              (given.fault.empty() ? "" : ", which cannot be used: " + given.fault);
-  if (ui::checkbox("markers/file_pairs", "Periodic pairs of the file", slide.file_pairs.wanted,
+  if (ui::checkbox("markers/file_pairs", "Periodic pairs of the file", slide.periodic_from_file,
                    tip))
     edit_slide(context, slide);
 }

@@ -358,7 +358,7 @@ Command command_from_json(const json& value, const std::filesystem::path& folder
   if (SmoothOptions* options = smooth_options(command)) {
     // A file is meant beside the recipe, as tables of displacements are; wherever the command is
     // written down next, it is that file.
-    std::string& reference = options->slide.reference.name;
+    std::string& reference = options->slide.reference;
     if (!reference.empty()) reference = std::filesystem::absolute(folder / reference).string();
     try {
       validate(*options);

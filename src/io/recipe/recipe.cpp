@@ -41,11 +41,10 @@ Recipe parse_recipe(const json& document, const std::filesystem::path& folder) {
 /// moved together.
 Command named_from(Command command, const std::filesystem::path& folder) {
   SmoothOptions* options = smooth_options(command);
-  if (!options || options->slide.reference.name.empty()) return command;
-  std::string& name = options->slide.reference.name;
+  if (!options || options->slide.reference.empty()) return command;
+  std::string& name = options->slide.reference;
   const std::filesystem::path file = std::filesystem::absolute(name).lexically_normal();
-  const std::filesystem::path from =
-      file.lexically_relative(std::filesystem::absolute(folder).lexically_normal());
+  const std::filesystem::path from = file.lexically_relative(folder.lexically_normal());
   name = !from.empty() && *from.begin() != ".." ? from.string() : file.string();
   return command;
 }
@@ -69,9 +68,9 @@ void write_recipe(const std::filesystem::path& path, const Recipe& recipe) {
   if (!recipe.output.empty()) document["output"] = recipe.output;
   if (recipe.zone != 0) document["zone"] = recipe.zone;
   document["commands"] = json::array();
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
   for (const Command& command : recipe.commands) {
-    document["commands"].push_back(
-        nlohmann::ordered_json(to_json(named_from(command, path.parent_path()))));
+    document["commands"].push_back(nlohmann::ordered_json(to_json(named_from(command, folder))));
   }
   std::string text;
   try {

@@ -8,8 +8,11 @@
 /// The commands of a file, one after the other:
 ///
 ///     const winslow::io::Recipe recipe = winslow::io::read_recipe("recipe.json");
+///     const winslow::io::MeshFile file = winslow::io::read_mesh(recipe.input);
+///     state = winslow::make_state(file.mesh);
 ///     for (const winslow::Command& step : recipe.commands)
-///       state = winslow::execute(step, state).state;
+///       state = winslow::execute(winslow::io::resolve_files(step, file.details.get()),
+///       state).state;
 ///
 /// Recipes: a JSON file of commands, in order (docs/recipes.md has the format).
 namespace winslow::io {

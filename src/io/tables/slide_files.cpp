@@ -15,19 +15,19 @@ std::shared_ptr<const ReferenceSurface> read_reference(const std::filesystem::pa
   return out;
 }
 
-void resolve_reference(SlideOptions& slide, const ReferenceReader& read) {
-  slide.reference.surface = slide.reference.name.empty() ? nullptr : read(slide.reference.name);
+SlideFiles resolve_files(const SlideOptions& slide, const FormatDetails* details,
+                         const ReferenceReader& read) {
+  SlideFiles files;
+  if (!slide.reference.empty()) files.reference = read(slide.reference);
+  if (slide.periodic_from_file && details) files.periodic = details->periodic;
+  return files;
 }
 
-void resolve_pairs(SlideOptions& slide, const FormatDetails* details) {
-  slide.file_pairs.found = details ? details->periodic : nullptr;
-}
-
-void resolve_files(Command& command, const FormatDetails* details, const ReferenceReader& read) {
-  SmoothOptions* smooth = smooth_options(command);
-  if (!smooth) return;
-  resolve_pairs(smooth->slide, details);
-  resolve_reference(smooth->slide, read);
+ResolvedCommand resolve_files(Command command, const FormatDetails* details,
+                              const ReferenceReader& read) {
+  const SmoothOptions* smooth = smooth_options(command);
+  SlideFiles files = smooth ? resolve_files(smooth->slide, details, read) : SlideFiles{};
+  return {std::move(command), std::move(files)};
 }
 
 }  // namespace winslow::io

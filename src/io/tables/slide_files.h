@@ -5,16 +5,14 @@
 #include "io/format/mesh_file.h"
 
 /// What the slide options of a command ask of files: a reference surface, which they name, and the
-/// periodic sides that the file of the mesh names. Core reads no files, so that this comes before
-/// execute(), which refuses a command that asks for what was not read.
+/// periodic sides that the file of the mesh names. Core reads no files: this comes before
+/// execute().
 ///
 ///     const winslow::io::MeshFile file = winslow::io::read_mesh("hull.msh");
 ///     winslow::SmoothCommand smooth;
 ///     smooth.smooth.slide.markers = {"hull"};
-///     smooth.smooth.slide.reference.name = "cad.stl";
-///     smooth.smooth.slide.file_pairs.wanted = true;
-///     winslow::Command ready = smooth;
-///     winslow::io::resolve_files(ready, file.details.get());
+///     smooth.smooth.slide.reference = "cad.stl";
+///     const auto ready = winslow::io::resolve_files(smooth, file.details.get());
 ///     state = winslow::execute(ready, winslow::make_state(file.mesh)).state;
 namespace winslow::io {
 
@@ -26,13 +24,14 @@ std::shared_ptr<const ReferenceSurface> read_reference(const std::filesystem::pa
 using ReferenceReader =
     std::function<std::shared_ptr<const ReferenceSurface>(const std::filesystem::path&)>;
 
-/// The surface that the options name; none where they name none. Throws what `read` throws.
-void resolve_reference(SlideOptions& slide, const ReferenceReader& read = read_reference);
-/// What the file of the mesh says of periodic sides. details: of MeshFile; null for a mesh that
-/// came from no file.
-void resolve_pairs(SlideOptions& slide, const FormatDetails* details);
-/// Both; nothing for commands that do not smooth.
-void resolve_files(Command& command, const FormatDetails* details,
-                   const ReferenceReader& read = read_reference);
+/// All that slide options ask of files. details: of MeshFile; null for a mesh that came from no
+/// file. Throws what `read` throws.
+SlideFiles resolve_files(const SlideOptions& slide, const FormatDetails* details,
+                         const ReferenceReader& read = read_reference);
+/// The same for a command; nothing for those that do not smooth. Throws UsageError, too, where
+/// pairs of a mesh that came from no file are asked for. A file without pairs is for execute() to
+/// refuse.
+ResolvedCommand resolve_files(Command command, const FormatDetails* details,
+                              const ReferenceReader& read = read_reference);
 
 }  // namespace winslow::io

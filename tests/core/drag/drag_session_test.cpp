@@ -305,12 +305,12 @@ ReferenceSurface box_surface(double size, const Vec3& away = Vec3(0, 0, 0)) {
   return out;
 }
 
-/// A cavity in a cube, whose outside slides on a surface that was not read.
+/// A cavity in a cube, whose outside slides on a surface.
 struct Cavity {
   explicit Cavity(const Vec3& away = Vec3(0, 0, 0), Index n = 6)
       : state(make_state(mesh(away, n))) {
     options.slide.markers = {"outer"};
-    options.slide.reference.name = "box.obj";
+    options.slide.reference = "box.obj";
     wanted.translate = Vec3(0.05, 0.02, 0);
     wanted.pivot = Vec3::Constant(0.5) + away;
   }
@@ -320,11 +320,13 @@ struct Cavity {
       mesh.coordinates.set_xyz(i, mesh.coordinates.xyz(i) + away);
     return mesh;
   }
+  static SlideFiles on(const ReferenceSurface& surface) {
+    return {.reference = std::make_shared<ReferenceSurface>(surface)};
+  }
   /// What the command makes of it that ends the drag.
   Coordinates moved(const ReferenceSurface& surface) const {
-    MoveCommand command{{{{"cavity"}, wanted}}, {}, options};
-    command.smooth.slide.reference.surface = std::make_shared<ReferenceSurface>(surface);
-    return execute(command, state).state.mesh.coordinates;
+    const MoveCommand command{{{{"cavity"}, wanted}}, {}, options};
+    return execute(ResolvedCommand(command, on(surface)), state).state.mesh.coordinates;
   }
 
   MeshState state;
@@ -345,25 +347,18 @@ double off_box(const Mesh& mesh, const Coordinates& x, double size, const Vec3& 
 
 }  // namespace
 
-TEST_CASE(
-    "a drag slides on the reference surface that it reads, as the command that ends it does") {
+TEST_CASE("a drag slides on its reference surface, as the command that ends it does") {
   for (const Vec3& away : {Vec3(0, 0, 0), Vec3(4.5e5, 5.1e6, 300)}) {
     CAPTURE(away.transpose());
     const Cavity cavity(away);
     const ReferenceSurface surface = box_surface(1.02, away);
-    int reads = 0;
     DragSession drag(cavity.state, DragGrip{{"cavity"}, {}, {}}, cavity.options, {},
-                     [&](const std::string& name) {
-                       CHECK(name == "box.obj");
-                       ++reads;
-                       return std::make_shared<ReferenceSurface>(surface);
-                     });
+                     Cavity::on(surface));
     REQUIRE(wait_until([&] {
       drag.to(cavity.wanted);
       return drag.settled() || !drag.error().empty();
     }));
     REQUIRE(drag.error() == "");
-    CHECK(reads == 1);
     const DragFrame& frame = drag.to(cavity.wanted);
     CHECK_FALSE(frame.held);
     CHECK(check_validity(*cavity.state.mesh.topology, frame.coordinates, 1).inverted == 0);
@@ -378,8 +373,7 @@ TEST_CASE("a drag that goes on from a mesh beside the reference surface comes to
   const Cavity cavity;
   const ReferenceSurface surface = box_surface(1.02);
   DragSession drag(cavity.state, DragGrip{{"cavity"}, {}, {}}, cavity.options,
-                   DragSession::Start{cavity.state.mesh.coordinates, {}},
-                   [&](const auto&) { return std::make_shared<ReferenceSurface>(surface); });
+                   DragSession::Start{cavity.state.mesh.coordinates, {}}, Cavity::on(surface));
   REQUIRE(wait_until([&] {
     drag.to(cavity.wanted);
     return drag.settled() || !drag.error().empty();
@@ -388,26 +382,28 @@ TEST_CASE("a drag that goes on from a mesh beside the reference surface comes to
   CHECK(largest_difference(drag.to(cavity.wanted).coordinates, cavity.moved(surface)) < 1e-7);
 }
 
-TEST_CASE("a drag whose reference surface cannot be read, or does not fit, says why and stays") {
+TEST_CASE(
+    "a drag whose reference surface does not fit says why and stays; without it none begins") {
   const Cavity cavity(Vec3(0, 0, 0), 12);
-  const auto error_with = [&](DragSession::ReadReference read) {
-    DragSession drag(cavity.state, DragGrip{{"cavity"}, {}, {}}, cavity.options, {},
-                     std::move(read));
-    REQUIRE(wait_until([&] {
-      drag.to(cavity.wanted);
-      return !drag.error().empty();
-    }));
-    const DragFrame& frame = drag.to(cavity.wanted);
-    CHECK(frame.held);
-    CHECK(frame.coordinates == cavity.state.mesh.coordinates);
-    return drag.error();
-  };
-  CHECK(error_with([](const auto&) -> std::shared_ptr<const ReferenceSurface> {
-          throw InputError("box.obj:3: found \"v\"");
-        }) == "box.obj:3: found \"v\"");
-  CHECK(error_with({}).find("box.obj: this reference surface was not read") != std::string::npos);
-  const std::string fault =
-      error_with([](const auto&) { return std::make_shared<ReferenceSurface>(box_surface(0.8)); });
+  const DragGrip grip{{"cavity"}, {}, {}};
+  DragSession drag(cavity.state, grip, cavity.options, {}, Cavity::on(box_surface(0.8)));
+  REQUIRE(wait_until([&] {
+    drag.to(cavity.wanted);
+    return !drag.error().empty();
+  }));
+  const DragFrame& frame = drag.to(cavity.wanted);
+  CHECK(frame.held);
+  CHECK(frame.coordinates == cavity.state.mesh.coordinates);
+  const std::string fault = drag.error();
   CAPTURE(fault);
   CHECK(fault.find("smooth the mesh on it first") != std::string::npos);
+  CHECK_THROWS_WITH_AS(DragSession(cavity.state, grip, cavity.options),
+                       "box.obj: this reference surface was not read", UsageError);
+  // What is shown while the surface is being read.
+  const DragFrame first = DragSession::first_frame(cavity.state, grip, cavity.options, nullptr);
+  CHECK(first.coordinates == cavity.state.mesh.coordinates);
+  CHECK_FALSE(first.held);
+  CHECK_THROWS_AS(
+      DragSession::first_frame(cavity.state, DragGrip{{"none"}, {}, {}}, cavity.options, nullptr),
+      UsageError);
 }

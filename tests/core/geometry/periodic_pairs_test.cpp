@@ -197,9 +197,10 @@ TEST_CASE("pairs of the file are taken where they are wanted, named ones once") 
   file->nodes = mesh.topology->node_count();
   file->elements = mesh.topology->element_count();
   SlideOptions slide;
+  SlideFiles files{.periodic = file};
   const auto taken = [&] {
     NodeClasses classes(mesh.topology);
-    return make_boundary_move(slide, mesh, {}, classes).periodic.size();
+    return make_boundary_move({slide, files}, mesh, {}, classes).periodic.size();
   };
   const auto refused = [&] {
     try {
@@ -209,9 +210,8 @@ TEST_CASE("pairs of the file are taken where they are wanted, named ones once") 
     }
     return std::string();
   };
-  slide.file_pairs.found = file;
   CHECK(taken() == 0);
-  slide.file_pairs.wanted = true;
+  slide.periodic_from_file = true;
   CHECK(refused().starts_with("a.msh: found no periodic pairs in the file, expected $Periodic"));
   file->pairs.push_back(listed(mesh, "left", "right", right));
   CHECK(taken() == 1);
@@ -226,10 +226,10 @@ TEST_CASE("pairs of the file are taken where they are wanted, named ones once") 
   CHECK(taken() == 1);
   file->pairs[0].halo = true;
   CHECK(taken() == 0);
-  slide.file_pairs.found = nullptr;
+  files.periodic = nullptr;
   CHECK(refused() == "slide.periodic_from_file: the file of the mesh was not read");
   file->pairs[0].halo = false;
-  slide.file_pairs.found = file;
+  files.periodic = file;
   slide.markers = {"left"};
   CHECK(refused() == "marker \"left\" is to slide and to be periodic: expected one");
 }

@@ -24,11 +24,18 @@ ReferenceSurface reference_of(const MeshData& data) {
   return out;
 }
 
-SmoothCommand smooth_on(const MeshData& data) {
+/// Markers: those that slide, of a volume mesh.
+SmoothCommand smooth_on_file(std::vector<std::string> markers = {}) {
   SmoothCommand command;
-  command.smooth.slide.reference = {"fine.obj",
-                                    std::make_shared<ReferenceSurface>(reference_of(data))};
+  command.smooth.slide.reference = "fine.obj";
+  command.smooth.slide.markers = std::move(markers);
   return command;
+}
+
+/// The command with this surface as what it asks for.
+ResolvedCommand smooth_on(const MeshData& data, Command command = smooth_on_file()) {
+  return {std::move(command),
+          {.reference = std::make_shared<ReferenceSurface>(reference_of(data))}};
 }
 
 /// How far from the torus about z the nodes of a mesh are, at most.
@@ -227,10 +234,9 @@ TEST_CASE("reference surface: the boundary of a volume mesh slides on its faces 
   const Mesh mesh = make_mesh(cube(6, Volumes::tetrahedra));
   std::vector<std::string> names;
   for (const Marker& marker : mesh.topology->markers()) names.push_back(marker.name);
-  SmoothCommand command = smooth_on(cube_surface(4));
-  command.smooth.slide.markers = names;
+  SmoothCommand command = smooth_on_file(names);
   command.smooth.slide.features = true;
-  const CommandResult result = execute(command, make_state(mesh));
+  const CommandResult result = execute(smooth_on(cube_surface(4), command), make_state(mesh));
   CHECK(result.smooth.converged);
   CHECK(result.smooth.inverted == 0);
   std::size_t sliding = 0;
@@ -248,9 +254,8 @@ TEST_CASE("reference surface: a body moves in a mesh whose boundary is on it, if
   MoveCommand command;
   command.bodies[0].markers = {"cavity"};
   command.bodies[0].motion.translate = Vec2(0.05, 0);
-  command.smooth.slide = smooth_on(box(1.02)).smooth.slide;
-  command.smooth.slide.markers = {"outer"};
-  const CommandResult result = execute(command, make_state(mesh));
+  command.smooth = smooth_on_file({"outer"}).smooth;
+  const CommandResult result = execute(smooth_on(box(1.02), command), make_state(mesh));
   CHECK(result.smooth.converged);
   CHECK(result.smooth.inverted == 0);
   CHECK(result.smooth.fraction_reached == 1);
@@ -262,9 +267,7 @@ TEST_CASE("reference surface: a body moves in a mesh whose boundary is on it, if
       CHECK(p.cwiseAbs().maxCoeff() == doctest::Approx(0.51).epsilon(1e-12));
     }
   CHECK(sliding == 6 * 121);
-  command.smooth.slide.reference.surface =
-      std::make_shared<ReferenceSurface>(reference_of(box(0.8)));
-  CHECK_THROWS_WITH_AS(execute(command, make_state(mesh)),
+  CHECK_THROWS_WITH_AS(execute(smooth_on(box(0.8), command), make_state(mesh)),
                        doctest::Contains("smooth the mesh on it first"), UsageError);
 }
 
@@ -292,12 +295,10 @@ TEST_CASE("reference surface: what does not fit is refused by name") {
     far.coordinates.set_xyz(i, 1000 * far.coordinates.xyz(i));
   CHECK_THROWS_WITH_AS(execute(smooth_on(far), state), doctest::Contains("away from this surface"),
                        UsageError);
-  SmoothCommand unread;
-  unread.smooth.slide.reference.name = "scan.stl";
-  CHECK_THROWS_WITH_AS(execute(unread, state), doctest::Contains("scan.stl"), UsageError);
+  CHECK_THROWS_WITH_AS(execute(smooth_on_file(), state),
+                       "fine.obj: this reference surface was not read", UsageError);
   const MeshState plane = make_state(make_mesh(square(6, Cells::triangles)));
-  SmoothCommand in_plane = smooth_on(torus_of(24, 12));
-  in_plane.smooth.slide.markers = {"bottom"};
+  const ResolvedCommand in_plane = smooth_on(torus_of(24, 12), smooth_on_file({"bottom"}));
   CHECK_THROWS_WITH_AS(execute(in_plane, plane), doctest::Contains("plane mesh"), UsageError);
   const MeshState volume = make_state(make_mesh(cube(3, Volumes::tetrahedra)));
   CHECK_THROWS_WITH_AS(execute(smooth_on(torus_of(24, 12)), volume),

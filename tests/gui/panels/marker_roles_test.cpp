@@ -348,7 +348,7 @@ TEST_CASE("periodic pairs of the file are taken by a click, and the next run kee
   REQUIRE(rig.visible("markers/file_pairs"));
   rig.click("markers/file_pairs");
   rig.frames(3);
-  CHECK(taken_of(rig).file_pairs.wanted);
+  CHECK(taken_of(rig).periodic_from_file);
   rig.bench->apply(action::RunSmooth{});
   REQUIRE(rig.settle());
   const Coordinates& now = rig.mesh().coordinates;
@@ -359,7 +359,7 @@ TEST_CASE("periodic pairs of the file are taken by a click, and the next run kee
   offer_partners(rig, "upper");
   rig.click("menu/periodic/none");
   rig.frames(3);
-  CHECK_FALSE(taken_of(rig).file_pairs.wanted);
+  CHECK_FALSE(taken_of(rig).periodic_from_file);
   CHECK(taken_of(rig).periodic.empty());
 }
 

@@ -79,7 +79,7 @@ TEST_CASE(
   const auto file = write_ball(rig, "fine.obj", 1.1);
   CHECK_FALSE(rig.visible("markers/reference_none"));
   choose_reference(rig, "fine.obj");
-  CHECK(chosen_slide(rig).reference.name == file.string());
+  CHECK(chosen_slide(rig).reference == file.string());
   REQUIRE(rig.session().messages().notice().has_value());
   CHECK(rig.session().messages().notice()->text ==
         "Nodes slide on fine.obj: 578 nodes, 1,152 faces");
@@ -100,7 +100,7 @@ TEST_CASE(
   REQUIRE(rig.settle());
   check_radius(rig, 1.1);
   rig.click("markers/reference_none");
-  CHECK(chosen_slide(rig).reference.name.empty());
+  CHECK(chosen_slide(rig).reference.empty());
   CHECK_FALSE(rig.visible("markers/reference_none"));
   run_smooth(rig);
   check_radius(rig, 1);
@@ -117,7 +117,7 @@ TEST_CASE(
   CHECK(rig.session().messages().prompt()->title ==
         "bad.obj cannot be used as a reference surface");
   CHECK(rig.session().messages().prompt()->text.find("bad.obj:3") != std::string::npos);
-  CHECK(chosen_slide(rig).reference.name == file.string());
+  CHECK(chosen_slide(rig).reference == file.string());
   CHECK(rig.session().solver_settings().reading_reference().empty());
   rig.key(keys::enter);
   rig.frames();
@@ -130,7 +130,7 @@ TEST_CASE("a reference surface that is coarser than the mesh is taken with a war
   const Mesh coarse = make_mesh(winslow::test::octasphere(2));
   io::write_mesh(rig.folder / "coarse.obj", coarse, nullptr);
   choose_reference(rig, "coarse.obj");
-  CHECK(chosen_slide(rig).reference.name == (rig.folder / "coarse.obj").string());
+  CHECK(chosen_slide(rig).reference == (rig.folder / "coarse.obj").string());
   REQUIRE(rig.session().messages().notice().has_value());
   CHECK(rig.session().messages().notice()->kind == Notice::Kind::warning);
   CHECK(rig.session().messages().notice()->text.find("times as long as") != std::string::npos);
@@ -144,12 +144,12 @@ TEST_CASE("the file that is chosen last counts, however long the one before take
   rig.bench->apply(action::ChooseReference{second});
   CHECK(rig.session().solver_settings().reading_reference() == second);
   REQUIRE(rig.settle());
-  CHECK(chosen_slide(rig).reference.name == second.string());
+  CHECK(chosen_slide(rig).reference == second.string());
   // None is wanted while one is being read.
   rig.bench->apply(action::ChooseReference{rig.folder / "first.obj"});
   rig.bench->apply(action::ChooseReference{});
   REQUIRE(rig.settle());
-  CHECK(chosen_slide(rig).reference.name.empty());
+  CHECK(chosen_slide(rig).reference.empty());
 }
 
 TEST_CASE("in a volume mesh the row is there while a marker slides, and runs without do without") {
@@ -183,7 +183,7 @@ TEST_CASE("in a volume mesh the row is there while a marker slides, and runs wit
   CHECK(rig.session().messages().prompt() == nullptr);
   rig.click("marker_role/lid");
   rig.frames();
-  CHECK(chosen_slide(rig).reference.name == (rig.folder / "box.obj").string());
+  CHECK(chosen_slide(rig).reference == (rig.folder / "box.obj").string());
 }
 
 TEST_CASE("a step of the history is given a reference surface in its editor, and loses it there") {
@@ -217,11 +217,11 @@ TEST_CASE("a step of the history is given a reference surface in its editor, and
   REQUIRE(rig.settle());
   rig.frames(4);
   REQUIRE(rig.visible("edit/reference_none"));
-  CHECK(chosen_slide(rig).reference.name.empty());  // of the step alone
+  CHECK(chosen_slide(rig).reference.empty());  // of the step alone
   rig.click("edit/run");
   REQUIRE(rig.settle());
   check_radius(rig, 1.1);
-  CHECK(std::get<SmoothCommand>(rig.document().history().command(1)).smooth.slide.reference.name ==
+  CHECK(std::get<SmoothCommand>(rig.document().history().command(1)).smooth.slide.reference ==
         file.string());
   edit();
   rig.click("edit/reference_none");
@@ -236,7 +236,7 @@ TEST_CASE("a plane mesh has no reference surface, and another mesh starts withou
   write_ball(rig, "fine.obj", 1.1);
   choose_reference(rig, "fine.obj");
   rig.open(ring_mesh(), "plane.su2");
-  CHECK(chosen_slide(rig).reference.name.empty());
+  CHECK(chosen_slide(rig).reference.empty());
   rig.click("marker_role/farfield");
   rig.frames();
   CHECK(rig.visible("markers/feature_angle"));
@@ -271,7 +271,7 @@ TEST_CASE("a body is dragged in a mesh whose outside slides on a file, and is le
   REQUIRE(studio.settle());
   REQUIRE(studio.document().history().position() == 1);
   const auto& done = std::get<MoveCommand>(studio.document().history().command(1));
-  CHECK(done.smooth.slide.reference.name == (studio.folder / "box.obj").string());
+  CHECK(done.smooth.slide.reference == (studio.folder / "box.obj").string());
   CHECK(studio.last_motion().translate.norm() > 0.01);
   CHECK(winslow::test::largest_difference(studio.mesh().coordinates, shown) < 1e-7);
 }

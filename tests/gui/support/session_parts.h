@@ -16,7 +16,7 @@ namespace winslow::gui::test {
 
 /// No mesh is open.
 struct NothingOpen {
-  OngoingWork work{std::make_shared<ReferenceFiles>()};
+  OngoingWork work;
   LiveMesh mesh{work};
 };
 
@@ -47,12 +47,11 @@ struct SessionParts {
   std::string notice() const { return messages.notice() ? messages.notice()->text : ""; }
 
   TemporaryFolder folder;
-  std::shared_ptr<ReferenceFiles> references = std::make_shared<ReferenceFiles>();
-  OngoingWork work{references};
+  OngoingWork work;
   LiveMesh mesh{work};
   MessageBoard messages{mesh};
   Selection selection{mesh, messages};
-  SolverSettings settings{mesh, messages, references};
+  SolverSettings settings{mesh, messages};
   Jobs jobs{work, mesh, messages, selection, settings};
   Motions motions{work, mesh, messages, selection, settings, jobs};
   VcvEditor vcvs{work, mesh, messages, settings, jobs};

@@ -320,13 +320,13 @@ TEST_CASE(
   // Read by a relative path, as a user may name it.
   const auto from_here = std::filesystem::relative(path);
   const Command command = io::read_recipe(from_here).commands.at(0);
-  const std::filesystem::path name = std::get<SmoothCommand>(command).smooth.slide.reference.name;
+  const std::filesystem::path name = std::get<SmoothCommand>(command).smooth.slide.reference;
   CHECK(name.is_absolute());
   CHECK(name.lexically_normal() ==
         std::filesystem::absolute(from_here.parent_path() / "fine.obj").lexically_normal());
   // As steps of a session are kept, in another folder.
   const Command kept = io::command_from_json(io::to_json(command), "elsewhere", "step");
-  CHECK(std::get<SmoothCommand>(kept).smooth.slide.reference.name == name);
+  CHECK(std::get<SmoothCommand>(kept).smooth.slide.reference == name);
 }
 
 TEST_CASE("recipe: what is left out has its default") {

@@ -2,6 +2,7 @@
 
 #include "core/strategy/slide_options.h"
 #include "io/support/samples.h"
+#include "io/tables/slide_files.h"
 #include "support/periodic_meshes.h"
 
 namespace winslow::test {
@@ -79,9 +80,10 @@ TEST_CASE("SU2: SEND_RECEIVE pairs two markers, and nodes of the interior with h
 TEST_CASE("SU2: nodes of the halo go where those of the interior go") {
   const io::MeshFile file = read_from_text("a.su2", passage().all(6));
   SlideOptions slide;
-  slide.file_pairs = {true, file.details->periodic};
+  slide.periodic_from_file = true;
   NodeClasses classes(file.mesh.topology);
-  const MovingBoundary boundary = make_boundary_move(slide, file.mesh, {}, classes);
+  const MovingBoundary boundary = make_boundary_move(
+      {slide, io::resolve_files(slide, file.details.get())}, file.mesh, {}, classes);
   REQUIRE(boundary.periodic.size() == 2);
   CHECK(classes[22] == NodeClass::image);
   CHECK(classes[7] == NodeClass::free);

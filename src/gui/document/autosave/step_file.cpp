@@ -148,8 +148,9 @@ void shape_fields(Archive& archive, Data& data) {
 }
 
 ShapeData data_of(const SurfaceShape& shape) {
-  ShapeData data{shape.rules, shape.reference.name, {}, {}, {}};
-  if (const ReferenceSurface* surface = shape.reference.surface.get()) {
+  ShapeData data{shape.rules, {}, {}, {}, {}};
+  if (const ReferenceSurface* surface = shape.reference.get()) {
+    data.name = surface->source.empty() ? "surface" : surface->source;
     data.source = surface->source;
     data.points = surface->points;
     data.faces = surface->faces;
@@ -164,14 +165,16 @@ std::shared_ptr<const SurfaceShape> made_of(ShapeData data, const MeshState& bef
   slide.features = data.rules.slide_along;
   slide.hold_nodes = std::move(data.rules.hold);
   slide.smooth_nodes = std::move(data.rules.smooth);
+  SlideFiles files;
   if (!data.name.empty()) {
     auto surface = std::make_shared<ReferenceSurface>();
     surface->source = std::move(data.source);
     surface->points = std::move(data.points);
     surface->faces = std::move(data.faces);
-    slide.reference = {std::move(data.name), std::move(surface)};
+    slide.reference = std::move(data.name);
+    files.reference = std::move(surface);
   }
-  return surface_shape(before, slide);
+  return surface_shape(before, {std::move(slide), std::move(files)});
 }
 
 /// Without coordinates.

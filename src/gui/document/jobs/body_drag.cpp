@@ -1,18 +1,30 @@
 #include "gui/document/jobs/body_drag.h"
 
+#include "gui/base/background.h"
 #include "gui/base/text.h"
 
 namespace winslow::gui {
 
 void BodyDrag::begin(const MeshState& state, DragGrip grip, const SmoothOptions& options,
-                     std::optional<DragSession::Start> start) {
-  const RigidMotion from =
-      start ? start->motion : resolve_motion({}, state.mesh.coordinates.dimension(), Vec3(0, 0, 0));
-  auto session = std::make_unique<DragSession>(
-      state, grip, options, std::move(start),
-      [files = references_](const std::string& name) { return files->read(name); });
+                     std::optional<DragSession::Start> start, const ResolveFiles& files) {
+  DragFrame first;
+  std::unique_ptr<DragSession> session;
+  std::future<std::unique_ptr<DragSession>> reading;
+  RigidMotion from = resolve_motion({}, state.mesh.coordinates.dimension(), Vec3(0, 0, 0));
+  if (start) from = start->motion;
+  if (options.slide.reference.empty()) {
+    session =
+        std::make_unique<DragSession>(state, grip, options, std::move(start), files(options.slide));
+  } else {
+    first = DragSession::first_frame(state, grip, options, start ? &*start : nullptr);
+    reading = std::async(std::launch::async, [=, start = std::move(start)] {
+      return std::make_unique<DragSession>(state, grip, options, start, files(options.slide));
+    });
+  }
   end();
   session_ = std::move(session);
+  reading_ = std::move(reading);
+  still_ = std::move(first);
   grip_ = std::move(grip);
   revision_ = 0;
   to(from);
@@ -20,13 +32,22 @@ void BodyDrag::begin(const MeshState& state, DragGrip grip, const SmoothOptions&
 
 void BodyDrag::to(const RigidMotion& motion) {
   wanted_ = motion;
-  frame_ = &session_->to(motion);
+  frame_ = session_ ? &session_->to(motion) : &still_;
+  if (session_) return;
+  const int dimension = still_.coordinates.dimension();
+  still_.held = !same_motion(still_.motion, resolve_motion(motion, dimension, Vec3(0, 0, 0)));
+  still_.share = still_.held ? 0 : 1;
 }
 
 bool BodyDrag::poll() {
   std::erase_if(ending_, [](const std::future<void>& f) {
     return f.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
   });
+  if (reading_.valid() && reading_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    unread_ = error_of([&] { session_ = reading_.get(); });
+    to(wanted_);
+    return true;
+  }
   if (!session_) return false;
   const int revision = session_->revision();
   if (revision == revision_) return false;
@@ -36,15 +57,20 @@ bool BodyDrag::poll() {
 }
 
 void BodyDrag::end() {
-  if (!session_) return;
-  ending_.push_back(std::async(std::launch::async,
-                               [session = std::move(session_)]() mutable { session.reset(); }));
+  frame_ = nullptr;
+  unread_.clear();
+  if (!session_ && !reading_.valid()) return;
+  ending_.push_back(std::async(
+      std::launch::async, [session = std::move(session_), reading = std::move(reading_)]() mutable {
+        session.reset();
+        reading = {};  // waits
+      }));
 }
 
 BodyDrag::Reach BodyDrag::reach() const {
   if (!frame_->held) return Reach::there;
   // Of the frame, not of the session: that may be a mesh ahead of what is on screen.
-  return frame_->limit || !session_->error().empty() ? Reach::limit : Reach::catching_up;
+  return frame_->limit || !error().empty() ? Reach::limit : Reach::catching_up;
 }
 
 std::string blocked_text(const EdgePair& contact) {

@@ -19,19 +19,16 @@ class BodyDrag {
     limit         ///< as far as a valid mesh was found
   };
 
-  /// references: of options that name some.
-  explicit BodyDrag(std::shared_ptr<ReferenceFiles> references)
-      : references_(std::move(references)) {}
-
+  /// files: what the options ask for. A reference surface is read while the mesh stays as it is.
   /// Throws what DragSession throws; nothing has begun then.
   void begin(const MeshState& state, DragGrip grip, const SmoothOptions& options,
-             std::optional<DragSession::Start> start = {});
+             std::optional<DragSession::Start> start = {}, const ResolveFiles& files = no_files);
   void to(const RigidMotion& motion);
   /// Takes what the solver has found since the last call. True if the mesh on screen changed.
   bool poll();
   void end();
 
-  bool active() const { return session_ != nullptr; }
+  bool active() const { return frame_ != nullptr; }
   // While active.
   const DragFrame& frame() const { return *frame_; }
   const Coordinates& coordinates() const { return frame_->coordinates; }
@@ -39,14 +36,16 @@ class BodyDrag {
   const RigidMotion& wanted() const { return wanted_; }
   Reach reach() const;
   /// Why the mesh follows no further, wherever the mouse goes; empty as long as it does.
-  std::string error() const { return session_->error(); }
+  std::string error() const { return session_ ? session_->error() : unread_; }
   /// The frame is the solution for the position asked for.
-  bool settled() const { return session_->settled(); }
+  bool settled() const { return session_ && session_->settled(); }
 
  private:
-  std::shared_ptr<ReferenceFiles> references_;
-  std::unique_ptr<DragSession> session_;
-  const DragFrame* frame_ = nullptr;  // the session's
+  std::unique_ptr<DragSession> session_;  // null: its files are being read, or cannot be
+  std::future<std::unique_ptr<DragSession>> reading_;
+  std::string unread_;                // why its files cannot be read; empty: they can
+  DragFrame still_;                   // without a session
+  const DragFrame* frame_ = nullptr;  // the session's, or still_
   DragGrip grip_;
   RigidMotion wanted_;
   int revision_ = 0;

@@ -4,14 +4,10 @@
 
 namespace winslow::gui {
 
-JobRunner::JobRunner(std::shared_ptr<ReferenceFiles> references) {
-  solver_.prepare([files = std::move(references)](Command& command) { files->load(command); });
-}
-
 bool JobRunner::paused() const { return active_ && pause_requested_; }
 
-void JobRunner::run(MeshState base, Command command, bool paused,
-                    std::optional<Coordinates> start) {
+void JobRunner::run(MeshState base, Command command, bool paused, std::optional<Coordinates> start,
+                    ResolveFiles files) {
   base_ = std::make_shared<const MeshState>(std::move(base));
   const MeshState* const mesh = base_.get();
   command_ = with_pivot(std::move(command), std::span(&mesh, 1));
@@ -21,6 +17,10 @@ void JobRunner::run(MeshState base, Command command, bool paused,
   pause_requested_ = paused;
   started_ = std::chrono::steady_clock::now();
   start_ = start;
+  solver_.resolve([files = std::move(files)](const Command& asked) {
+    const SmoothOptions* smooth = smooth_options(asked);
+    return ResolvedCommand(asked, smooth ? files(smooth->slide) : SlideFiles{});
+  });
   job_ = solver_.run(base_, command_, std::move(start), paused);
 }
 

@@ -17,9 +17,6 @@ class JobRunner {
     bool paused = false;  ///< the user had it wait after some steps
   };
 
-  /// references: of commands that name some.
-  explicit JobRunner(std::shared_ptr<ReferenceFiles> references);
-
   bool active() const { return active_; }
   /// A drag holds the job: it may converge, but does not end.
   bool held() const { return held_; }
@@ -30,8 +27,9 @@ class JobRunner {
   /// Latest snapshot of this job; null before the first and without a job.
   const std::shared_ptr<const Snapshot>& snapshot() const { return snapshot_; }
 
-  /// start: see RunOptions::start.
-  void run(MeshState base, Command command, bool paused, std::optional<Coordinates> start = {});
+  /// start: see RunOptions::start. files: of this job and its targets, on the solver's thread.
+  void run(MeshState base, Command command, bool paused, std::optional<Coordinates> start = {},
+           ResolveFiles files = no_files);
   /// The mesh of this job now: of its latest snapshot, or what it starts from.
   const Coordinates& coordinates() const;
   /// The same of its latest snapshot, which stays as it is; null before the first.

@@ -3,7 +3,6 @@
 #include "core/mesh/surface_faces.h"
 #include "gui/base/text.h"
 #include "io/format/mesh_format.h"
-#include "io/tables/slide_files.h"
 
 namespace winslow::gui {
 
@@ -31,14 +30,6 @@ std::shared_ptr<const ReferenceSurface> ReferenceFiles::read(const std::filesyst
   if (whole_stamp(file) != before) now.stamp.reset();
   known_ = std::move(now);
   return known_.surface;
-}
-
-void ReferenceFiles::load(SlideOptions& slide) {
-  io::resolve_reference(slide, [this](const std::filesystem::path& file) { return read(file); });
-}
-
-void ReferenceFiles::load(Command& command) {
-  if (SmoothOptions* smooth = smooth_options(command)) load(smooth->slide);
 }
 
 namespace {

@@ -1,11 +1,15 @@
 #pragma once
 
-#include "core/command/command.h"
-#include "core/mesh/mesh.h"
 #include "gui/base/background.h"
 #include "gui/files/file_kinds.h"
+#include "io/tables/slide_files.h"
 
 namespace winslow::gui {
+
+/// What options ask of files, for the mesh that was open when it was made: io::resolve_files(). May
+/// take long; for any thread.
+using ResolveFiles = std::function<SlideFiles(const SlideOptions&)>;
+inline SlideFiles no_files(const SlideOptions&) { return {}; }
 
 /// Reference surfaces in files, for all threads that need them. The one read last is kept, since
 /// drags, jobs and panels name it many times over, and read again once its file has changed.
@@ -13,9 +17,6 @@ class ReferenceFiles {
  public:
   /// May take long. Throws InputError as io::read_mesh() does, with file and line.
   std::shared_ptr<const ReferenceSurface> read(const std::filesystem::path& file);
-  /// Reads what the options name; nothing where they name none.
-  void load(SlideOptions& slide);
-  void load(Command& command);
 
  private:
   struct Known {

@@ -30,18 +30,20 @@ void mend_linear_solver(SmoothOptions& smooth) {
     smooth.linear.solver = LinearOptions{}.solver;
 }
 
-std::optional<std::string> partner_of(const SlideOptions& slide, const std::string& marker) {
+std::optional<std::string> partner_of(const SlideOptions& slide, const GivenPeriodicity* file,
+                                      const std::string& marker) {
   const std::vector<std::string>& pairs = slide.periodic;
   for (std::size_t k = 0; k + 1 < pairs.size(); k += 2) {
     if (pairs[k] == marker) return pairs[k + 1];
     if (pairs[k + 1] == marker) return pairs[k];
   }
-  return slide.file_pairs.wanted ? partner_in_file(slide, marker) : std::nullopt;
+  return slide.periodic_from_file ? partner_in_file(file, marker) : std::nullopt;
 }
 
-std::optional<std::string> partner_in_file(const SlideOptions& slide, const std::string& marker) {
-  if (!slide.file_pairs.found) return std::nullopt;
-  for (const GivenPairs& given : slide.file_pairs.found->pairs) {
+std::optional<std::string> partner_in_file(const GivenPeriodicity* file,
+                                           const std::string& marker) {
+  if (!file) return std::nullopt;
+  for (const GivenPairs& given : file->pairs) {
     if (given.halo || !given.fault.empty()) continue;
     if (given.first == marker) return given.second;
     if (given.second == marker) return given.first;
@@ -49,21 +51,21 @@ std::optional<std::string> partner_in_file(const SlideOptions& slide, const std:
   return std::nullopt;
 }
 
-void take_out(SlideOptions& slide, const std::string& marker) {
+void take_out(SlideOptions& slide, const GivenPeriodicity* file, const std::string& marker) {
   slide.periodic = pairs_without(slide.periodic, marker);
-  if (!slide.file_pairs.wanted || !partner_in_file(slide, marker)) return;
-  slide.file_pairs.wanted = false;
-  for (const GivenPairs& given : slide.file_pairs.found->pairs)
+  if (!slide.periodic_from_file || !partner_in_file(file, marker)) return;
+  slide.periodic_from_file = false;
+  for (const GivenPairs& given : file->pairs)
     if (!given.halo && given.first != given.second && given.first != marker &&
-        given.second != marker && !partner_of(slide, given.first))
+        given.second != marker && !partner_of(slide, file, given.first))
       slide.periodic.insert(slide.periodic.end(), {given.first, given.second});
 }
 
-std::string pair_sides(SlideOptions& slide, const Mesh& mesh, const std::string& first,
-                       const std::optional<std::string>& second) {
-  take_out(slide, first);
+std::string pair_sides(SlideOptions& slide, const GivenPeriodicity* file, const Mesh& mesh,
+                       const std::string& first, const std::optional<std::string>& second) {
+  take_out(slide, file, first);
   if (!second) return first + " stays where it is.";
-  take_out(slide, *second);
+  take_out(slide, file, *second);
   const PeriodicPairs pairs = PeriodicPairs::find(*mesh.topology, mesh.coordinates, first, *second);
   slide.periodic.insert(slide.periodic.end(), {first, *second});
   for (const std::string& name : {first, *second}) stop_sliding(slide, name);
@@ -71,14 +73,14 @@ std::string pair_sides(SlideOptions& slide, const Mesh& mesh, const std::string&
          counted(pairs.pairs.size(), "pair") + " of nodes.";
 }
 
-void leave_to_motion(SlideOptions& slide, const Topology& topology,
+void leave_to_motion(SlideOptions& slide, const GivenPeriodicity* file, const Topology& topology,
                      const std::vector<std::string>& markers) {
   for (const std::string& name : markers) {
     stop_sliding(slide, name);
-    take_out(slide, name);
+    take_out(slide, file, name);
   }
   // All of it is kept for when a marker slides again.
-  if (slide.markers.empty() && !is_surface(topology)) slide.reference = {};
+  if (slide.markers.empty() && !is_surface(topology)) slide.reference.clear();
   drop_stale_overrides(slide, topology, markers);
 }
 

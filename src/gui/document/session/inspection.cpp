@@ -21,19 +21,19 @@ std::shared_ptr<const NodeRoles> BoundaryRoles::find() const {
   if (!mesh_.document()) return nullptr;
   asked_ = question();
   if (answer_.question != asked_ && !worker_.busy())
-    worker_.start([state = mesh_.document()->state(), question = asked_, files = references_] {
-      Answer answer{question, nullptr};
-      try {
-        SlideOptions slide = question.slide;
-        files->load(slide);
-        answer.roles = std::make_shared<const NodeRoles>(node_roles(state, slide, question.moving));
-      } catch (const std::exception& error) {
-        NodeRoles none;
-        none.fault = error.what();
-        answer.roles = std::make_shared<const NodeRoles>(std::move(none));
-      }
-      return answer;
-    });
+    worker_.start(
+        [state = mesh_.document()->state(), question = asked_, files = settings_.resolver()] {
+          Answer answer{question, nullptr};
+          try {
+            answer.roles = std::make_shared<const NodeRoles>(
+                node_roles(state, {question.slide, files(question.slide)}, question.moving));
+          } catch (const std::exception& error) {
+            NodeRoles none;
+            none.fault = error.what();
+            answer.roles = std::make_shared<const NodeRoles>(std::move(none));
+          }
+          return answer;
+        });
   return answer_.question.generation == mesh_.generation() ? answer_.roles : nullptr;
 }
 

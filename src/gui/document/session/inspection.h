@@ -16,13 +16,8 @@ namespace winslow::gui {
 /// background.
 class BoundaryRoles {
  public:
-  /// references: that surfaces are read by.
-  BoundaryRoles(const LiveMesh& mesh, const SolverSettings& settings, const Selection& selection,
-                std::shared_ptr<ReferenceFiles> references)
-      : mesh_(mesh),
-        settings_(settings),
-        selection_(selection),
-        references_(std::move(references)) {}
+  BoundaryRoles(const LiveMesh& mesh, const SolverSettings& settings, const Selection& selection)
+      : mesh_(mesh), settings_(settings), selection_(selection) {}
 
   /// The latest that is known of this mesh; null: nothing yet. Asked for in every frame in which it
   /// is shown: what was asked last is looked for.
@@ -50,7 +45,6 @@ class BoundaryRoles {
   const LiveMesh& mesh_;
   const SolverSettings& settings_;
   const Selection& selection_;
-  std::shared_ptr<ReferenceFiles> references_;
   mutable Question asked_;
   mutable Answer answer_;
   mutable Background<Answer> worker_;
@@ -138,9 +132,8 @@ class StarMatches {
 
 /// What is found out about nodes that one looks at, as it is asked for.
 struct Inspection {
-  Inspection(const LiveMesh& mesh, const SolverSettings& settings, const Selection& selection,
-             const std::shared_ptr<ReferenceFiles>& references)
-      : spheres(mesh, settings), star_matches(mesh), roles(mesh, settings, selection, references) {}
+  Inspection(const LiveMesh& mesh, const SolverSettings& settings, const Selection& selection)
+      : spheres(mesh, settings), star_matches(mesh), roles(mesh, settings, selection) {}
 
   /// Collects what the threads have done since the last call. True if anything changed.
   bool poll() {

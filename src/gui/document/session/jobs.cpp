@@ -4,7 +4,6 @@
 #include "gui/base/text.h"
 #include "gui/document/jobs/body_drag.h"
 #include "gui/document/jobs/job_runner.h"
-#include "io/tables/slide_files.h"
 
 namespace winslow::gui {
 
@@ -72,8 +71,7 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
                                               "\". Wait until it is done, or cancel it.");
     return false;
   }
-  if (SmoothOptions* smooth = winslow::smooth_options(command)) {
-    io::resolve_pairs(smooth->slide, mesh_.document()->source().details.get());
+  if (const SmoothOptions* smooth = winslow::smooth_options(command)) {
     try {
       validate(*smooth);
     } catch (const Error& error) {
@@ -98,7 +96,8 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
   messages_.clear_banner();
   work_.set_edited_vcvs({});
   work_.job().set_pace(pace_of(command));
-  work_.job().run(mesh_.document()->state(), std::move(command), paused, std::move(start));
+  work_.job().run(mesh_.document()->state(), std::move(command), paused, std::move(start),
+                  settings_.resolver());
   mesh_.changed();
   return true;
 }

@@ -3,8 +3,8 @@
 namespace winslow::gui {
 
 void OngoingWork::begin_drag(MeshState base, DragGrip grip, const SmoothOptions& options,
-                             std::optional<DragSession::Start> start) {
-  drag_.begin(base, std::move(grip), options, std::move(start));
+                             std::optional<DragSession::Start> start, const ResolveFiles& files) {
+  drag_.begin(base, std::move(grip), options, std::move(start), files);
   drag_base_ = std::move(base);
 }
 

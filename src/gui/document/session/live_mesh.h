@@ -12,10 +12,6 @@ namespace winslow::gui {
 /// drag under the mouse. Of the two the drag is what is seen.
 class OngoingWork {
  public:
-  /// references: of commands and drags that name some.
-  explicit OngoingWork(const std::shared_ptr<ReferenceFiles>& references)
-      : job_(references), drag_(references) {}
-
   JobRunner& job() { return job_; }
   const JobRunner& job() const { return job_; }
   BodyDrag& drag() { return drag_; }
@@ -25,7 +21,7 @@ class OngoingWork {
   /// Begins such a drag from a mesh, which may be that of the drag before: that one ends here.
   /// Throws what BodyDrag::begin throws.
   void begin_drag(MeshState base, DragGrip grip, const SmoothOptions& options,
-                  std::optional<DragSession::Start> start);
+                  std::optional<DragSession::Start> start, const ResolveFiles& files = no_files);
   bool active() const { return job_.active() || drag_.active(); }
 
   // Of what is seen; null while nothing is under way.

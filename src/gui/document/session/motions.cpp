@@ -89,7 +89,7 @@ bool Motions::begin_body_drag(DragGrip grip) {
   if (base_) start = DragSession::Start{work_.job().coordinates(), *base_};
   try {
     const SmoothOptions smooth = settings_.smooth_for_motion(grip.markers);
-    work_.begin_drag(mesh_.motion_base(), std::move(grip), smooth, start);
+    work_.begin_drag(mesh_.motion_base(), std::move(grip), smooth, start, settings_.resolver());
   } catch (const UsageError&) {
     return false;
   }

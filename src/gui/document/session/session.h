@@ -78,15 +78,14 @@ class Session {
   void apply_group(const MessageAction& action) { Dispatch::to(messages_, action); }
 
   // Each knows those above it that it names.
-  std::shared_ptr<ReferenceFiles> references_ = std::make_shared<ReferenceFiles>();
-  OngoingWork work_{references_};
+  OngoingWork work_;
   LiveMesh mesh_{work_};
   MessageBoard messages_{mesh_};
   QualityWatch quality_{mesh_};
   Selection selection_{mesh_, messages_};
-  SolverSettings settings_{mesh_, messages_, references_};
+  SolverSettings settings_{mesh_, messages_};
   MeshLayers layers_{mesh_};
-  Inspection inspection_{mesh_, settings_, selection_, references_};
+  Inspection inspection_{mesh_, settings_, selection_};
   Jobs jobs_{work_, mesh_, messages_, selection_, settings_};
   Motions motions_{work_, mesh_, messages_, selection_, settings_, jobs_};
   VcvEditor vcvs_{work_, mesh_, messages_, settings_, jobs_};

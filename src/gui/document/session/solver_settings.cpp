@@ -4,14 +4,27 @@
 #include "core/geometry/periodic_pairs.h"
 #include "core/strategy/smooth_options.h"
 #include "gui/document/jobs/run_settings.h"
-#include "io/tables/slide_files.h"
 
 namespace winslow::gui {
+
+const GivenPeriodicity* SolverSettings::file_pairs() const {
+  const Document* document = mesh_.document();
+  return document && document->source().details ? document->source().details->periodic.get()
+                                                : nullptr;
+}
+
+ResolveFiles SolverSettings::resolver() const {
+  return [files = references_,
+          details = mesh_.document()->source().details](const SlideOptions& slide) {
+    return io::resolve_files(slide, details.get(),
+                             [&](const auto& file) { return files->read(file); });
+  };
+}
 
 SmoothOptions SolverSettings::smooth_for_motion(const std::vector<std::string>& markers) const {
   SmoothOptions smooth = smooth_;
   if (const Document* document = mesh_.document())
-    leave_to_motion(smooth.slide, *document->state().mesh.topology, markers);
+    leave_to_motion(smooth.slide, file_pairs(), *document->state().mesh.topology, markers);
   return smooth;
 }
 
@@ -27,7 +40,7 @@ void SolverSettings::on(const action::PairMarkers& a) {
   try {
     const Mesh& mesh = mesh_.document()->state().mesh;
     SlideOptions slide = smooth_.slide;
-    const std::string done = pair_sides(slide, mesh, a.first, a.second);
+    const std::string done = pair_sides(slide, file_pairs(), mesh, a.first, a.second);
     smooth_.slide = std::move(slide);
     messages_.tell(Notice::Kind::information, done);
   } catch (const UsageError& error) {
@@ -50,7 +63,7 @@ void SolverSettings::on(const action::StepOverride& a) {
 void SolverSettings::on(const action::ChooseReference& a) {
   reference_.drop();
   if (a.file.empty()) {
-    smooth_.slide.reference = {};
+    smooth_.slide.reference.clear();
     return;
   }
   if (mesh_.document() && in_space(mesh_))
@@ -67,16 +80,14 @@ void SolverSettings::forget_mesh() {
 }
 
 bool SolverSettings::poll() {
-  const Document* document = mesh_.document();
-  io::resolve_pairs(smooth_.slide, document ? document->source().details.get() : nullptr);
   const auto read = reference_.poll();
-  if (!read || !document) return false;
+  if (!read || !mesh_.document()) return false;
   if (!read->error.empty()) {
     messages_.report_error(
         read->file.filename().string() + " cannot be used as a reference surface", read->error);
     return true;
   }
-  smooth_.slide.reference = {read->file.string(), nullptr};
+  smooth_.slide.reference = read->file.string();
   messages_.tell(is_coarse(*read) ? Notice::Kind::warning : Notice::Kind::success, describe(*read));
   return true;
 }

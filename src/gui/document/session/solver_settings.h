@@ -11,10 +11,7 @@ namespace winslow::gui {
 /// How the solver is to go about the open mesh, as the user has set it. Each command gets a copy.
 class SolverSettings {
  public:
-  /// references: that surfaces are read by.
-  SolverSettings(const LiveMesh& mesh, MessageBoard& messages,
-                 std::shared_ptr<ReferenceFiles> references)
-      : mesh_(mesh), messages_(messages), references_(std::move(references)) {}
+  SolverSettings(const LiveMesh& mesh, MessageBoard& messages) : mesh_(mesh), messages_(messages) {}
 
   const SmoothOptions& smooth_options() const { return smooth_; }
   const MotionOptions& motion_options() const { return motion_; }
@@ -22,6 +19,11 @@ class SolverSettings {
   const NodeOverrides& overrides() const { return overrides_; }
   /// The file of a reference surface that is being read; empty: none.
   std::filesystem::path reading_reference() const { return reference_.pending(); }
+
+  /// Periodic sides that the file of the open mesh names; null: it is from no file.
+  const GivenPeriodicity* file_pairs() const;
+  /// What options ask of files, for the open mesh.
+  ResolveFiles resolver() const;
 
   /// For a run that moves no markers.
   SmoothOptions smooth_in_place() const { return smooth_for_motion({}); }
@@ -48,7 +50,7 @@ class SolverSettings {
  private:
   const LiveMesh& mesh_;
   MessageBoard& messages_;
-  std::shared_ptr<ReferenceFiles> references_;
+  std::shared_ptr<ReferenceFiles> references_ = std::make_shared<ReferenceFiles>();
   SmoothOptions smooth_;
   MotionOptions motion_;
   NodeOverrides overrides_;

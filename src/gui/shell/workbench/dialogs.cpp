@@ -33,7 +33,7 @@ void Dialogs::on(const action::ShowFileDialog& a) {
     suggested.replace_filename(suggested.stem().string() + "_markers.csv");
   // What is written does not belong among the meshes that come with the program.
   std::error_code ignored;
-  const std::string& reference = session_.solver_settings().smooth_options().slide.reference.name;
+  const std::string& reference = session_.solver_settings().smooth_options().slide.reference;
   if (a.purpose == FilePurpose::reference && !reference.empty()) suggested = reference;
   const std::string of_step = step_.reference();
   if (a.purpose == FilePurpose::step_reference && !of_step.empty()) suggested = of_step;

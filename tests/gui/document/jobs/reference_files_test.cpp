@@ -62,7 +62,7 @@ TEST_CASE("a command that is run again slides on its reference surface as it is 
   const auto smooth = [&](double radius) {
     write_sphere(file, radius);
     SmoothCommand command;
-    command.smooth.slide.reference.name = file.string();
+    command.smooth.slide.reference = file.string();
     rig.bench->apply(action::RunCommand{command, false});
     REQUIRE(rig.settle());
     const SpacePoints x(rig.mesh().coordinates);
@@ -80,7 +80,7 @@ namespace {
 
 SmoothCommand smooth_on(const std::filesystem::path& file) {
   SmoothCommand command;
-  command.smooth.slide.reference.name = file.string();
+  command.smooth.slide.reference = file.string();
   return command;
 }
 
