@@ -27,7 +27,6 @@ double mean_edge_at(const Topology& topology, const Points<D>& x, Index node) {
   return sum / static_cast<double>(neighbours.size());
 }
 
-Vec3 lifted(const Vec2& p) { return {p.x(), p.y(), 0}; }
 Vec3 lifted(const Vec3& p) { return p; }
 
 }  // namespace
