@@ -18,6 +18,8 @@ struct ZoneRun {
   std::optional<SurfaceChange> surface =
       std::nullopt;  ///< of a surface mesh, against what was read
 
+  /// Of the zone; 0 for a file that is one mesh.
+  int number() const;
   /// "zone 2"; empty for a file that is one mesh.
   std::string name() const;
 };
@@ -36,8 +38,8 @@ std::vector<std::string> warnings_of(const std::vector<io::MeshFile>& files);
 std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
                                const std::vector<Command>& commands, const std::string& file);
 
-/// Tells the commands what the file says of periodic sides. Of a file of several zones those that
-/// have none go without, as long as others have some.
+/// Tells the commands what the file says of periodic sides. A zone without any does without them if
+/// another zone of the file has some.
 void give_pairs(std::vector<ZoneRun>& zones);
 
 /// Throws UsageError for a marker that the mesh does not have; the message suggests the nearest and
