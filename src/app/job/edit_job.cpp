@@ -83,15 +83,15 @@ CommandRecord apply(const ResolvedCommand& resolved, ZoneRun& zone, bool all_or_
   record.on_surface = is_surface(*result.state.mesh.topology);
   if (!name.empty()) {
     record.description.insert(0, name + ": ");
-    record.zone = zone.source.details->zone;
+    record.zone = zone.number();
   }
   zone.result = std::move(result.state);
   return record;
 }
 
-/// Bodies of one zone turn about the pivots that they have in all zones together. `own` are those
-/// of `whole` that are in the zone, in their order, with the markers that are.
-void take_pivots(std::vector<MovingBody>& own, const std::vector<MovingBody>& whole) {
+/// Gives the bodies of one zone the pivots that were found for all zones together. `own` are the
+/// bodies of `whole` that the zone has, in the same order, with the markers that it has.
+void copy_pivots(std::vector<MovingBody>& own, const std::vector<MovingBody>& whole) {
   auto from = whole.begin();
   for (MovingBody& body : own) {
     from = std::find_if(from, whole.end(), [&](const MovingBody& candidate) {
@@ -118,7 +118,7 @@ void apply(const EditJob& job, std::vector<ZoneRun>& zones, RunReport& run) {
       std::optional<Command>& own = zones[z].commands[k];
       if (!own) continue;
       if (auto* move = std::get_if<MoveCommand>(&*own))
-        take_pivots(move->bodies, std::get<MoveCommand>(whole).bodies);
+        copy_pivots(move->bodies, std::get<MoveCommand>(whole).bodies);
       records[z].push_back(
           apply({*own, zones[z].files[k]}, zones[z], !job.files.accept_partial, monitor));
     }
@@ -373,8 +373,7 @@ void measure(ZoneRun& zone, const QualityOptions& options) {
 nlohmann::json describe(const std::vector<ZoneRun>& zones, const RunReport& run) {
   std::vector<ZoneResult> results;
   for (const ZoneRun& zone : zones) {
-    results.push_back({zone.name().empty() ? 0 : zone.source.details->zone, &zone.result.mesh,
-                       &zone.quality, &zone.before,
+    results.push_back({zone.number(), &zone.result.mesh, &zone.quality, &zone.before,
                        zone.result.layers ? &*zone.result.layers : nullptr,
                        zone.surface ? &*zone.surface : nullptr});
   }

@@ -19,6 +19,8 @@ struct ZoneRun {
   std::optional<SurfaceChange> surface =
       std::nullopt;  ///< of a surface mesh, against what was read
 
+  /// Of the zone; 0 for a file that is one mesh.
+  int number() const;
   /// "zone 2"; empty for a file that is one mesh.
   std::string name() const;
 };
@@ -37,8 +39,8 @@ std::vector<std::string> warnings_of(const std::vector<io::MeshFile>& files);
 std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
                                const std::vector<Command>& commands, const std::string& file);
 
-/// Resolves what the commands ask of files. Of a file of several zones those that have no periodic
-/// sides go without, as long as others have some. Throws what io::resolve_files() throws.
+/// Resolves what the commands ask of files. A zone without periodic sides does without
+/// them if another zone of the file has some. Throws what io::resolve_files() throws.
 void resolve_files(std::vector<ZoneRun>& zones, const io::ReferenceReader& read);
 
 /// Throws UsageError for a marker that the mesh does not have; the message suggests the nearest and

@@ -66,19 +66,26 @@ std::optional<Command> restricted(Command command, const Topology& topology) {
   return command;
 }
 
-/// What a command says of single nodes; empty: nothing.
-std::string about_nodes(const Command& command) {
-  if (std::holds_alternative<EditVcvCommand>(command)) return "edits VCVs of nodes";
-  if (const auto* deform = std::get_if<DeformCommand>(&command)) {
-    if (std::holds_alternative<DisplacementTable>(deform->shape)) return "displaces single nodes";
-  }
-  if (const auto* layers = std::get_if<LayersCommand>(&command)) {
-    if (!layers->layers.overrides.empty()) return "says what columns of single nodes are like";
-  }
-  const SmoothOptions* smooth = smooth_options(command);
-  if (smooth && !(smooth->slide.hold_nodes.empty() && smooth->slide.smooth_nodes.empty()))
-    return "holds single nodes, or makes them smooth";
+// What a command says of single nodes; empty: nothing.
+
+template <class AnyCommand>
+std::string own_nodes(const AnyCommand&) {
   return {};
+}
+std::string own_nodes(const EditVcvCommand&) { return "edits VCVs of nodes"; }
+std::string own_nodes(const DeformCommand& deform) {
+  return std::get_if<DisplacementTable>(&deform.shape) ? "displaces single nodes" : "";
+}
+std::string own_nodes(const LayersCommand& command) {
+  return command.layers.overrides.empty() ? "" : "says what columns of single nodes are like";
+}
+
+std::string about_nodes(const Command& command) {
+  std::string own = std::visit([](const auto& of) { return own_nodes(of); }, command);
+  const SmoothOptions* smooth = smooth_options(command);
+  const bool named =
+      smooth && !(smooth->slide.hold_nodes.empty() && smooth->slide.smooth_nodes.empty());
+  return own.empty() && named ? "holds single nodes, or makes them smooth" : own;
 }
 
 void refuse_ambiguous(const std::vector<ZoneRun>& runs, const std::string& file) {
@@ -99,9 +106,12 @@ void refuse_ambiguous(const std::vector<ZoneRun>& runs, const std::string& file)
 
 }  // namespace
 
+int ZoneRun::number() const {
+  return !source.details || source.details->zones.empty() ? 0 : source.details->zone;
+}
+
 std::string ZoneRun::name() const {
-  if (!source.details || source.details->zones.empty()) return {};
-  return "zone " + std::to_string(source.details->zone);
+  return number() == 0 ? "" : "zone " + std::to_string(number());
 }
 
 std::vector<io::MeshFile> read_zones(const std::string& path, int zone) {

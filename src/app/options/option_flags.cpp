@@ -100,16 +100,12 @@ void set_shares(const SharesOption& shares, const std::string& flag,
     if (equals != std::string::npos && !CLI::detail::lexical_cast(word.substr(equals + 1), share)) {
       throw UsageError(flag + ' ' + word + ": expected NAME=SHARE with a number");
     }
-    bool known = false;
-    for (const auto& part : shares.parts) {
-      if (part.name != name) continue;
-      *part.share = share;
-      known = true;
-    }
-    if (!known) {
+    const auto part = std::ranges::find(shares.parts, name, &SharesOption::Part::name);
+    if (part == shares.parts.end()) {
       throw UsageError(flag + ' ' + word + ": found \"" + name + "\", expected one of " +
                        join(names_of(shares.parts)));
     }
+    *part->share = share;
   }
 }
 

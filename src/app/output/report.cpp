@@ -2,10 +2,10 @@
 
 #include <sys/resource.h>
 
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "app/output/tables.h"
+#include "app/output/terminal.h"
 #include "core/layers/layer_stack.h"
 #include "io/file/atomic_file.h"
 
@@ -27,8 +27,8 @@ json describe_statistics(const Statistics& s) {
 
 /// As many components as the mesh has.
 json describe_place(const Vec3& place, int dimension) {
-  json components{place.x(), place.y()};
-  if (dimension == 3) components.push_back(place.z());
+  json components = json::array();
+  for (int k = 0; k < dimension; ++k) components.push_back(place[k]);
   return components;
 }
 
@@ -226,9 +226,7 @@ json describe_layers(const LayerStack& stack, const Coordinates& x) {
     const auto near = std::count_if(
         m.columns.begin(), m.columns.end(),
         [&](const ColumnMeasure& c) { return c.thickness > 0 && c.first_error <= share; });
-    char key[16];
-    std::snprintf(key, sizeof key, "%g", share);
-    within[key] =
+    within[formatted("%g", share)] =
         static_cast<double>(near) / static_cast<double>(std::max<std::size_t>(with_layers, 1));
   }
   return {{"columns", stack.columns.size()},
@@ -279,20 +277,24 @@ json describe_zones(const std::vector<ZoneResult>& zones) {
   return {{"nodes", nodes}, {"elements", elements}, {"inverted", inverted}, {"zones", list}};
 }
 
-json describe_run(const RunReport& run, const std::vector<ZoneResult>& zones) {
-  json report = describe_zones(zones);
-  report.update(describe_totals(run.commands));
+void describe_circumstances(json& report, const RunReport& run) {
   report["command"] = run.command;
   report["input"] = run.input;
-  report["output"] = run.written ? json(run.output) : json();
-  report["commands"] = json::array();
-  for (const CommandRecord& c : run.commands) report["commands"].push_back(describe_result(c));
   report["seconds"] = {{"load", run.seconds.load},
                        {"solve", run.seconds.solve},
                        {"save", run.seconds.save},
                        {"total", run.seconds.total}};
   report["peak_memory_bytes"] = peak_memory_bytes();
   report["warnings"] = run.warnings;
+}
+
+json describe_run(const RunReport& run, const std::vector<ZoneResult>& zones) {
+  json report = describe_zones(zones);
+  report.update(describe_totals(run.commands));
+  describe_circumstances(report, run);
+  report["output"] = run.written ? json(run.output) : json();
+  report["commands"] = json::array();
+  for (const CommandRecord& c : run.commands) report["commands"].push_back(describe_result(c));
   return report;
 }
 

@@ -90,6 +90,10 @@ struct ZoneResult {
 /// together, and "zones", a list of what is said of each.
 nlohmann::json describe_zones(const std::vector<ZoneResult>& zones);
 
+/// Adds what all reports say of a run: "command", "input", "seconds", "peak_memory_bytes" and
+/// "warnings".
+void describe_circumstances(nlohmann::json& report, const RunReport& run);
+
 /// The whole report (docs/command-line.md lists the keys).
 nlohmann::json describe_run(const RunReport& run, const std::vector<ZoneResult>& zones);
 

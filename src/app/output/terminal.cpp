@@ -91,17 +91,11 @@ bool ProgressMonitor::cancelled() { return InterruptGuard::requested(); }
 
 bool ProgressMonitor::on_iteration(const IterationRecord& record, const Coordinates&) {
   if (visible_ && (!drawn_ || since_drawn_.seconds() > seconds_between_lines)) {
-    std::array<char, 160> numbers;
-    std::snprintf(numbers.data(), numbers.size(),
-                  ": iteration %d, residual %.1e, %d inverted, smallest sine %.3f",
-                  record.iteration, record.residual, static_cast<int>(record.inverted),
-                  record.min_sine);
-    std::string line = label_ + numbers.data();
-    if (record.fraction < 1) {
-      std::snprintf(numbers.data(), numbers.size(), ", %.0f %% of the motion",
-                    100 * record.fraction);
-      line += numbers.data();
-    }
+    std::string line =
+        label_ + formatted(": iteration %d, residual %.1e, %d inverted, smallest sine %.3f",
+                           record.iteration, record.residual, static_cast<int>(record.inverted),
+                           record.min_sine);
+    if (record.fraction < 1) line += formatted(", %.0f %% of the motion", 100 * record.fraction);
     line.resize(std::min(line.size(), columns() - 1));
     std::fprintf(stderr, "%s%s", clear_line, line.c_str());
     std::fflush(stderr);

@@ -40,41 +40,36 @@ class QualitySubcommand : public Subcommand {
     if (!report_.empty()) check_distinct({report_, input_});
     Stopwatch total;
     std::vector<io::MeshFile> files = read_zones(input_, zone_);
-    warnings_ = warnings_of(files);
+    RunReport run;
+    run.command = "quality";
+    run.input = input_;
+    run.warnings = warnings_of(files);
     std::vector<ZoneRun> zones = share_out(std::move(files), {}, input_);
-    Timings seconds;
-    seconds.load = total.seconds();
+    run.seconds.load = total.seconds();
     for (ZoneRun& zone : zones) zone.quality = measure_quality(zone.source.mesh, options_);
-    seconds.solve = total.seconds() - seconds.load;
-    seconds.total = total.seconds();
-    if (!report_.empty()) write_json(report_, describe(zones, seconds));
-    if (!quiet_) print(zones);
+    run.seconds.solve = total.seconds() - run.seconds.load;
+    run.seconds.total = total.seconds();
+    if (!report_.empty()) write_json(report_, describe(zones, run));
+    if (!quiet_) print(zones, run.warnings);
     const bool inverted = std::any_of(zones.begin(), zones.end(),
                                       [](const ZoneRun& z) { return z.quality.inverted > 0; });
     return inverted ? ExitCode::inverted : ExitCode::done;
   }
 
  private:
-  nlohmann::json describe(const std::vector<ZoneRun>& zones, const Timings& seconds) const {
+  static nlohmann::json describe(const std::vector<ZoneRun>& zones, const RunReport& run) {
     std::vector<ZoneResult> results;
     for (const ZoneRun& z : zones) {
-      results.push_back({z.name().empty() ? 0 : z.source.details->zone, &z.source.mesh, &z.quality,
-                         nullptr, nullptr, nullptr, z.source.details->periodic.get()});
+      results.push_back({z.number(), &z.source.mesh, &z.quality, nullptr, nullptr, nullptr,
+                         z.source.details->periodic.get()});
     }
     nlohmann::json report = describe_zones(results);
-    report["command"] = "quality";
-    report["input"] = input_;
-    report["seconds"] = {{"load", seconds.load},
-                         {"solve", seconds.solve},
-                         {"save", seconds.save},
-                         {"total", seconds.total}};
-    report["peak_memory_bytes"] = peak_memory_bytes();
-    report["warnings"] = warnings_;
+    describe_circumstances(report, run);
     return report;
   }
 
-  void print(const std::vector<ZoneRun>& zones) const {
-    print_warnings(warnings_);
+  void print(const std::vector<ZoneRun>& zones, const std::vector<std::string>& warnings) const {
+    print_warnings(warnings);
     for (const ZoneRun& zone : zones) {
       if (&zone != &zones.front()) std::cout << '\n';
       print_zone_heading(std::cout, zone.name());
@@ -93,7 +88,6 @@ class QualitySubcommand : public Subcommand {
 
   std::string input_, report_;
   int zone_ = 0;
-  std::vector<std::string> warnings_;
   QualityOptions options_;
   bool histogram_ = false, quiet_ = false;
 };

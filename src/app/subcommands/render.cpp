@@ -22,20 +22,12 @@ constexpr int largest_picture = 16384;
 bool has_color(const RenderFlags& flags) { return !flags.color.empty() && flags.color != no_color; }
 
 gui::PictureOptions picture_options(const RenderFlags& flags) {
-  gui::PictureOptions options;
-  options.width = flags.size[0];
-  options.height = flags.size[1];
+  auto options = common_options<gui::PictureOptions>(flags);
   if (has_color(flags)) options.color = parse_field(flags.color);
   if (flags.bounds) {
     const auto& b = *flags.bounds;
     options.bounds = Bounds{Vec2(b[0], b[1]), Vec2(b[2], b[3])};
   }
-  options.colors = color_choice(flags);
-  options.title = flags.title;
-  options.vcvs = flags.vcvs;
-  options.dark = flags.dark;
-  options.wireframe = !flags.no_wireframe;
-  options.legend = !flags.no_legend;
   return options;
 }
 

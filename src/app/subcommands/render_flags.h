@@ -74,6 +74,21 @@ inline gui::ColorChoice color_choice(const RenderFlags& flags) {
   return choice;
 }
 
+/// What pictures of the plane and of space are asked for alike.
+template <class Options>
+Options common_options(const RenderFlags& flags) {
+  Options options;
+  options.width = flags.size[0];
+  options.height = flags.size[1];
+  options.colors = color_choice(flags);
+  options.title = flags.title;
+  options.vcvs = flags.vcvs;
+  options.dark = flags.dark;
+  options.wireframe = !flags.no_wireframe;
+  options.legend = !flags.no_legend;
+  return options;
+}
+
 /// Writes frames of the meshes, one after the other, into flags.frames; returns what to tell the
 /// user. Throws OutputError, and what `draw` throws.
 inline std::string record_frames(const RenderFlags& flags, const std::vector<Mesh>& meshes,

@@ -115,16 +115,13 @@ std::optional<gui::ViewDirection> direction_of(const VolumeFlags& flags,
 
 gui::VolumePictureOptions volume_options(const RenderFlags& flags, MeshKind kind) {
   const VolumeFlags& volume = flags.volume;
-  gui::VolumePictureOptions options;
-  options.width = flags.size[0];
-  options.height = flags.size[1];
+  auto options = common_options<gui::VolumePictureOptions>(flags);
   if (flags.color == no_color)
     options.color.reset();
   else if (flags.color.empty())
     options.color = ElementField(Metric::normalized_jacobian, cell_dimension_of(kind));
   else
     options.color = parse_field(flags.color, kind);
-  options.colors = color_choice(flags);
   std::vector<Plane> cuts;
   for (const auto& c : volume.cuts)
     cuts.emplace_back(Vec3(c[0], c[1], c[2]), Vec3(c[3], c[4], c[5]));
@@ -140,13 +137,8 @@ gui::VolumePictureOptions volume_options(const RenderFlags& flags, MeshKind kind
   options.show = volume.show;
   options.hide = volume.hide;
   options.see_through = volume.see_through;
-  options.vcvs = flags.vcvs;
   if (volume.vcv_kind == "equal") options.vcv_kind.angles = VcvAngles::equal;
   if (volume.vcv_kind == "existing") options.vcv_kind.angles = VcvAngles::existing;
-  options.title = flags.title;
-  options.dark = flags.dark;
-  options.wireframe = !flags.no_wireframe;
-  options.legend = !flags.no_legend;
   return options;
 }
 
@@ -200,13 +192,12 @@ void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Top
 }
 
 std::string draw_volume(const RenderFlags& flags, const Mesh& mesh) {
+  const gui::VolumePictureOptions options = volume_options(flags, kind_of(*mesh.topology));
   if (!gui::is_vector_format(flags.output)) {
-    gui::write_png(flags.output,
-                   gui::draw_volume_picture(mesh, volume_options(flags, mesh.topology->kind())));
+    gui::write_png(flags.output, gui::draw_volume_picture(mesh, options));
     return {};
   }
-  const gui::VectorFigure figure =
-      gui::volume_picture_figure(mesh, volume_options(flags, mesh.topology->kind()));
+  const gui::VectorFigure figure = gui::volume_picture_figure(mesh, options);
   gui::write_figure(flags.output, figure);
   return figure.scene->raster ? ", the mesh in it as pixels: too many faces are seen" : "";
 }

@@ -196,14 +196,8 @@ void make_markers(const NodeView& zone, const ZoneHead& head, const ZoneBoundary
   MarkerMaker maker(head, boundary, sides, mesh, details);
   for (const NodeView& all : zone.children("ZoneBC_t"))
     for (const NodeView& condition : all.children("BC_t")) maker.add_condition(condition);
-  for (const NodeView& all : zone.children("ZoneGridConnectivity_t")) {
-    for (const NodeView& interface : all.children()) {
-      const bool known = interface.label() == "GridConnectivity_t" ||
-                         interface.label() == "GridConnectivity1to1_t";
-      const bool closed = std::find(joined.begin(), joined.end(), interface.name()) != joined.end();
-      if (known && !closed) maker.add_interface(interface);
-    }
-  }
+  for (const NodeView& interface : connections_of(zone))
+    if (std::ranges::find(joined, interface.name()) == joined.end()) maker.add_interface(interface);
   maker.add_sections();
 }
 

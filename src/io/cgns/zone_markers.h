@@ -77,6 +77,8 @@ void make_markers(const NodeView& zone, const ZoneHead& head, const ZoneBoundary
 void read_regions(const NodeView& zone, const ElementNumbers& numbers, MeshData& mesh,
                   std::vector<std::string>& warnings);
 
+/// What the zone has in common with others or itself: GridConnectivity_t, GridConnectivity1to1_t.
+std::vector<NodeView> connections_of(const NodeView& zone);
 /// True for a connection with Periodic_t.
 bool is_periodic(const NodeView& connection);
 /// The zone that a connection leads to is this one: "Zone" or "Base/Zone".

@@ -97,7 +97,7 @@ class PairFinder {
     const RigidImage image = image_of(*property->first("Periodic_t"));
     constexpr double share = 0.05;  // of the shortest edge, as PeriodicPairs has it
     const double near = share * shortest_edge(side, mesh_.coordinates);
-    // Not all programs agree on which side the numbers lead from.
+    // Programs differ in the side from which rotation and translation start.
     for (const RigidImage& way : {image, inverse_of(image)}) {
       auto pairs = matched(way, nodes_of(side), nodes_of(beyond), mesh_.coordinates, near);
       if (!pairs.empty()) return pairs;
@@ -125,14 +125,14 @@ class PairFinder {
       if (b == nodes_.end()) continue;
       any = true;
       given.second = mesh_.markers[static_cast<std::size_t>(b - nodes_.begin())].name;
-      // The other side has a connection of its own as a rule.
+      // The other side usually has a connection of its own.
       if (names_.insert(std::minmax(given.first, given.second)).second)
         found_.push_back(std::move(given));
     }
     return any;
   }
 
-  /// Where sides of two directions meet nodes stay.
+  /// Holds the nodes at which sides of two directions meet.
   void hold_shared() {
     std::map<Index, int> count;
     for (const GivenPairs& given : found_)
@@ -161,6 +161,15 @@ class PairFinder {
 
 }  // namespace
 
+std::vector<NodeView> connections_of(const NodeView& zone) {
+  std::vector<NodeView> connections;
+  for (const NodeView& all : zone.children("ZoneGridConnectivity_t"))
+    for (NodeView& view : all.children())
+      if (view.label() == "GridConnectivity_t" || view.label() == "GridConnectivity1to1_t")
+        connections.push_back(std::move(view));
+  return connections;
+}
+
 bool is_periodic(const NodeView& connection) {
   const auto property = connection.first("GridConnectivityProperty_t");
   return property && property->first("Periodic_t");
@@ -188,13 +197,8 @@ std::vector<GivenPairs> periodic_pairs(const NodeView& zone, const ZoneHead& hea
                                        const ZoneBoundary& boundary, const VertexPairs& pairs_of,
                                        const MeshData& mesh, std::vector<std::string>& warnings) {
   PairFinder finder(head, boundary, pairs_of, mesh, warnings);
-  for (const NodeView& all : zone.children("ZoneGridConnectivity_t"))
-    for (const NodeView& connection : all.children()) {
-      const bool known = connection.label() == "GridConnectivity_t" ||
-                         connection.label() == "GridConnectivity1to1_t";
-      if (known && is_periodic(connection) && leads_to(connection, zone.name()))
-        finder.add(connection);
-    }
+  for (const NodeView& connection : connections_of(zone))
+    if (is_periodic(connection) && leads_to(connection, zone.name())) finder.add(connection);
   return finder.take();
 }
 

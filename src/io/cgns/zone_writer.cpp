@@ -23,8 +23,8 @@ class MovedCoordinate {
           details.node_of_vertex.empty() ? static_cast<Index>(v) : details.node_of_vertex[v];
       if (first[at(node)] == old.size()) first[at(node)] = v;
       const double value = place_in_space(&details, mesh.coordinates, node)[direction];
-      // Bits, for -0 is kept, too. Vertices of a closed cut may differ by less than they are told
-      // apart by; they keep that while their node stays.
+      // Bits are compared, since -0 is kept, too. The vertices of a closed cut may lie slightly
+      // apart; they stay so while their node does not move.
       if (bits(value) == bits(old[first[at(node)]])) continue;
       values_[v] = value;
       moved_ = true;
@@ -133,10 +133,7 @@ constexpr std::size_t longest_name = 32;
 
 /// Nodes have names of 32 characters at most, without '/'.
 std::string node_name(const std::string& wanted, const std::set<std::string>& taken) {
-  std::string name = wanted.substr(0, longest_name);
-  std::replace_if(
-      name.begin(), name.end(),
-      [](char c) { return c == '/' || static_cast<unsigned char>(c) < ' '; }, '_');
+  std::string name = within_line(wanted.substr(0, longest_name), "/");
   if (name.empty() || name.find_first_not_of(" .") == std::string::npos) name = "unnamed";
   for (int k = 2; taken.contains(name); ++k) {
     const std::string suffix = "_" + std::to_string(k);

@@ -61,7 +61,7 @@ namespace {
 /// Physical groups of one dimension: those with a name first, as $PhysicalNames lists them, then
 /// the others as they turn up.
 GroupIndex groups_of(const Details& details, int dimension) {
-  GroupIndex groups(std::string(entity_names[at(dimension)]) + '_');
+  GroupIndex groups{std::string(entity_names[at(dimension)]) + '_'};
   for (const PhysicalName& name : details.physical_names) {
     if (name.dimension == dimension) groups.add(name.tag, name.name);
   }
@@ -186,10 +186,7 @@ EntityBoxes collect_boxes(const Details& details, const Coordinates& coordinates
 }
 
 std::string safe_name(const std::string& name, std::vector<std::string>& warnings) {
-  std::string safe = name;
-  for (char& c : safe) {
-    if (c == '"' || static_cast<unsigned char>(c) < ' ') c = '_';
-  }
+  const std::string safe = within_line(name, "\"");
   if (safe != name) {
     warnings.push_back("group \"" + name + "\" is written as \"" + safe +
                        "\": Gmsh allows no such name");

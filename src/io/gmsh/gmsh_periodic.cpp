@@ -196,8 +196,8 @@ class PairBuilder {
     return drafts_.back();
   }
 
-  /// Nodes in several pairs stay: where sides of two directions meet. A pair that two entities list
-  /// is one.
+  /// Holds the nodes of several pairs: sides of two directions meet there. A pair that two entities
+  /// list counts once.
   void hold_corners() {
     std::map<Index, int> uses;
     for (Draft& draft : drafts_) {

@@ -380,9 +380,8 @@ std::string name_lines(const char* what, const std::vector<Group>& groups,
                        const std::vector<int>& tags) {
   std::string lines;
   for (std::size_t k = 0; k < tags.size(); ++k) {
-    std::string name = groups[k].name;
-    for (char& c : name) c = static_cast<unsigned char>(c) < ' ' ? '_' : c;
-    lines += std::string("# ") + what + ' ' + std::to_string(tags[k]) + ' ' + name + '\n';
+    lines += std::string("# ") + what + ' ' + std::to_string(tags[k]) + ' ' +
+             within_line(groups[k].name) + '\n';
   }
   return lines;
 }

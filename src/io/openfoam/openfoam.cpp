@@ -142,12 +142,7 @@ std::vector<Patch> patches_of(const Topology& topology, std::vector<std::string>
 void make_names_safe(std::vector<Patch>& patches, std::vector<std::string>& warnings) {
   std::set<std::string> taken;
   for (Patch& patch : patches) {
-    std::string name = patch.name.empty() ? "unnamed" : patch.name;
-    for (char& c : name) {
-      const bool bad = static_cast<unsigned char>(c) <= ' ' ||
-                       std::string_view("\"'/;{}()[]$").find(c) != std::string_view::npos;
-      if (bad) c = '_';
-    }
+    std::string name = patch.name.empty() ? "unnamed" : as_word(patch.name, "\"'/;{}()[]$");
     while (!taken.insert(name).second) name += '_';
     if (name != patch.name) {
       warnings.push_back("marker \"" + patch.name + "\" is written as \"" + name +

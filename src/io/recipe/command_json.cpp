@@ -55,11 +55,15 @@ ColumnOverride read_override(const json& value, const std::string& path) {
   return own;
 }
 
-/// Reads every item of a list with `read`.
-template <class Item, class Read>
-std::vector<Item> read_list(const json& list, const std::string& path, const Read& read) {
-  std::vector<Item> items;
-  if (!list.is_array()) throw JsonValueError(path, "expected a list");
+enum class Empty { allowed, refused };
+
+/// Reads every item of a list with `read`. expected: "a list of walls".
+template <class Read>
+auto read_list(const json& list, const std::string& path, const Read& read,
+               const char* expected = "a list", Empty empty = Empty::allowed) {
+  std::vector<decltype(read(list, path))> items;
+  if (!list.is_array() || (list.empty() && empty == Empty::refused))
+    throw JsonValueError(path, std::string("expected ") + expected);
   for (std::size_t i = 0; i < list.size(); ++i) {
     items.push_back(read(list[i], path + '[' + std::to_string(i) + ']'));
   }
@@ -93,13 +97,13 @@ json write_overrides(const std::vector<ColumnOverride>& overrides) {
 /// Walls and overrides of layers. Reading checks all the options, of which the table has been read
 /// before. Throws JsonValueError.
 void read_layer_lists(ObjectReader& reader, LayerOptions& layers) {
-  layers.walls = read_list<LayerWall>(reader.needed("walls"), reader.path_of("walls"), read_wall);
+  layers.walls = read_list(reader.needed("walls"), reader.path_of("walls"), read_wall);
   if (layers.walls.empty()) {
     throw JsonValueError(reader.path_of("walls"), "expected a list of walls");
   }
   if (reader.has("overrides")) {
-    layers.overrides = read_list<ColumnOverride>(reader.needed("overrides"),
-                                                 reader.path_of("overrides"), read_override);
+    layers.overrides =
+        read_list(reader.needed("overrides"), reader.path_of("overrides"), read_override);
   }
   try {
     validate(layers);
@@ -170,28 +174,17 @@ DisplacementTable read_table(const json& value, const std::string& path,
     return read_displacements(folder / file);
   }
   DisplacementTable table;
-  const json& entries = reader.needed("entries");
-  const std::string entries_path = reader.path_of("entries");
-  if (!entries.is_array()) throw JsonValueError(entries_path, "expected a list");
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    table.entries.push_back(read_entry(entries[i], entries_path + '[' + std::to_string(i) + ']'));
-  }
+  table.entries = read_list(reader.needed("entries"), reader.path_of("entries"), read_entry);
   reader.field("source", table.source);
   reader.finish();
   return table;
 }
 
-std::vector<Vec3> read_directions(const json& list, const std::string& path) {
-  if (!list.is_array()) throw JsonValueError(path, "expected a list of directions [x, y, z]");
-  std::vector<Vec3> directions;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::string where = path + '[' + std::to_string(i) + ']';
-    std::vector<double> numbers;
-    ObjectReader::read(list[i], where, numbers);
-    if (numbers.size() != 3) throw JsonValueError(where, "expected three numbers");
-    directions.emplace_back(numbers[0], numbers[1], numbers[2]);
-  }
-  return directions;
+Vec3 read_direction(const json& value, const std::string& path) {
+  std::vector<double> numbers;
+  ObjectReader::read(value, path, numbers);
+  if (numbers.size() != 3) throw JsonValueError(path, "expected three numbers");
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 VcvEdit read_vcv_edit(const json& value, const std::string& path) {
@@ -202,7 +195,8 @@ VcvEdit read_vcv_edit(const json& value, const std::string& path) {
   reader.field("angles", edit.angles);
   reader.field("lengths", edit.lengths);
   if (const json* list = reader.find("directions"))
-    edit.directions = read_directions(*list, reader.path_of("directions"));
+    edit.directions = read_list(*list, reader.path_of("directions"), read_direction,
+                                "a list of directions [x, y, z]");
   reader.finish();
   return edit;
 }
@@ -210,12 +204,8 @@ VcvEdit read_vcv_edit(const json& value, const std::string& path) {
 // What commands hold beyond their tables.
 
 void read_beyond(ObjectReader& reader, EditVcvCommand& command, const std::filesystem::path&) {
-  const json& nodes = reader.needed("nodes");
-  const std::string path = reader.path_of("nodes");
-  if (!nodes.is_array() || nodes.empty()) throw JsonValueError(path, "expected a list of nodes");
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    command.edits.push_back(read_vcv_edit(nodes[i], path + '[' + std::to_string(i) + ']'));
-  }
+  command.edits = read_list(reader.needed("nodes"), reader.path_of("nodes"), read_vcv_edit,
+                            "a list of nodes", Empty::refused);
 }
 
 MovingBody read_body(const json& value, const std::string& path) {
@@ -238,11 +228,8 @@ void read_beyond(ObjectReader& reader, MoveCommand& command, const std::filesyst
     if (reader.has(key.c_str()))
       throw JsonValueError(reader.path_of(key.c_str()),
                            "expected in the objects of \"bodies\", which say how each one moves");
-  const std::string path = reader.path_of("bodies");
-  if (!list->is_array() || list->empty()) throw JsonValueError(path, "expected a list of bodies");
-  command.bodies.clear();
-  for (std::size_t i = 0; i < list->size(); ++i)
-    command.bodies.push_back(read_body((*list)[i], path + '[' + std::to_string(i) + ']'));
+  command.bodies =
+      read_list(*list, reader.path_of("bodies"), read_body, "a list of bodies", Empty::refused);
 }
 
 void read_beyond(ObjectReader& reader, DeformCommand& command,

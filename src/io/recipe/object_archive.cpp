@@ -409,7 +409,7 @@ void write_options(ObjectWriter& writer, const OptionTable& table) {
       table, [&](const Option& option) { write(writer, option); },
       [&](std::string_view object) {
         const OptionTable rows = rows_in(table, object);
-        // An object of numbers of which none is set says nothing.
+        // An object without a number that is set is left out.
         if (std::ranges::all_of(rows,
                                 [](const Option& o) { return write_value(o.value).is_null(); }))
           return;

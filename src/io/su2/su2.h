@@ -45,11 +45,11 @@ extern const MeshFormat format;
 /// zone: as IZONE= says; 0: the first one. Throws UsageError if the file has no such zone.
 ParsedMesh read_zone(Source& source, int zone);
 
-/// Points are written as they were read: what follows the coordinates, be it a third one of a plane
-/// mesh or a second number, goes back as it came, a number that counts from 0 is written anew. A
-/// plane mesh has NDIME= 2, unless it came from an SU2 file with NDIME= 3. Of a file of several
-/// zones the one of the details is written, as a file of its own.
-/// source: details of the file that the mesh came from, of this format or of another; may be null.
+/// Points are written as they were read. What follows their coordinates goes back as it came; only
+/// numbers that count from 0 are written anew. A plane mesh has NDIME= 2, unless it came from an
+/// SU2 file with NDIME= 3. Of a file of several zones, that of the details becomes a file of its
+/// own. source: details of the file that the mesh came from, of this format or of another; may be
+/// null.
 std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
                                const WriteOptions& options);
 /// Zones of one file; those that are not among them are written as they were.

@@ -34,9 +34,10 @@ class Tails {
     }
   }
 
-  /// A line "x number" lacks a coordinate: what is taken for its last one is the number of the
-  /// point, while other lines have a number behind it. Where no line has, and every last coordinate
-  /// is the point's number, all lack one; up to three points may lie like that.
+  /// The first line "x number", which lacks a coordinate: the word read as its last coordinate is
+  /// the number of the point. Other lines have a number behind their coordinates; or no line has,
+  /// and every last coordinate is the number of its point, which up to three points may be by
+  /// chance.
   std::optional<std::string_view> first_short() const {
     constexpr std::size_t may_be_chance = 3;
     const bool every = short_ == views_.size() && short_ > may_be_chance;

@@ -12,19 +12,11 @@ namespace winslow::io::su2 {
 namespace {
 
 /// SU2 ends a name at white space and a line at '%'.
-std::string safe_name(const std::string& name) {
-  std::string safe = name.empty() ? "unnamed" : name;
-  for (char& c : safe) {
-    if (static_cast<unsigned char>(c) <= ' ' || c == '%' || c == '=') c = '_';
-  }
-  return safe;
-}
-
 std::vector<std::string> safe_names(std::span<const Marker> markers,
                                     std::vector<std::string>& warnings) {
   std::vector<std::string> names;
   for (const Marker& marker : markers) {
-    std::string name = safe_name(marker.name);
+    std::string name = marker.name.empty() ? "unnamed" : as_word(marker.name, "%=");
     while (std::find(names.begin(), names.end(), name) != names.end()) name += '_';
     if (name != marker.name) {
       warnings.push_back("marker \"" + marker.name + "\" is written as \"" + name +

@@ -123,7 +123,7 @@ Vec3 facet_normal(const WrittenSurface& surface, Index a, Index b, Index c) {
 
 void write_solid(TextWriter& out, const WrittenSurface& surface,
                  const WrittenSurface::Group& group) {
-  const std::string name = group.name.empty() ? "mesh" : one_word(group.name);
+  const std::string name = group.name.empty() ? "mesh" : as_word(group.name);
   out << "solid " << name << '\n';
   for (std::size_t f = group.first; f < group.first + group.count; ++f) {
     for_each_facet(surface.faces()[f], [&](Index a, Index b, Index c) {

@@ -85,12 +85,6 @@ Vec3 WrittenSurface::normal(const FileCorners& corners) const {
   return length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero());
 }
 
-std::string one_word(const std::string& name) {
-  std::string word = name;
-  for (char& c : word) c = static_cast<unsigned char>(c) <= ' ' ? '_' : c;
-  return word;
-}
-
 std::vector<std::string> lost_in_surface(const Mesh& mesh, bool keeps_groups) {
   std::vector<std::string> warnings;
   const bool volume = mesh.topology->cell_dimension() == 3;
@@ -183,7 +177,7 @@ std::vector<std::string> write_obj(std::ostream& stream, const Mesh& mesh,
     out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
   }
   for (const WrittenSurface::Group& group : surface.groups()) {
-    if (!group.name.empty()) out << "g " << one_word(group.name) << '\n';
+    if (!group.name.empty()) out << "g " << as_word(group.name) << '\n';
     for (std::size_t f = group.first; f < group.first + group.count; ++f) {
       out << 'f';
       for (const Index node : surface.faces()[f]) out << ' ' << node + 1;

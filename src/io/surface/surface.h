@@ -67,9 +67,6 @@ class WrittenSurface {
   std::vector<Group> groups_;
 };
 
-/// A name without blanks.
-std::string one_word(const std::string& name);
-
 /// Sentences about what a surface format cannot hold. keeps_groups: it has parts with names.
 std::vector<std::string> lost_in_surface(const Mesh& mesh, bool keeps_groups = false);
 

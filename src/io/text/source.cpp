@@ -148,6 +148,19 @@ std::size_t line_begin(std::string_view text, std::size_t offset) {
   return newline == std::string_view::npos ? 0 : newline + 1;
 }
 
+std::string as_word(std::string name, std::string_view others) {
+  std::ranges::replace(name, ' ', '_');
+  return within_line(std::move(name), others);
+}
+
+std::string within_line(std::string name, std::string_view others) {
+  const auto bad = [&](char c) {
+    return static_cast<unsigned char>(c) < ' ' || others.find(c) != std::string_view::npos;
+  };
+  std::ranges::replace_if(name, bad, '_');
+  return name;
+}
+
 std::string lower_case(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;

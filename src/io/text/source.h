@@ -144,6 +144,10 @@ std::string list_of(const Items& items, const Text& text) {
   for (const auto& item : items) list.append(list.empty() ? "" : ", ").append(text(item));
   return list;
 }
+/// A name as one word: '_' stands for blanks, control characters and these others.
+std::string as_word(std::string name, std::string_view others = {});
+/// A name within a line: the same, but blanks stay.
+std::string within_line(std::string name, std::string_view others = {});
 /// Letters of ASCII in lower case.
 std::string lower_case(std::string_view text);
 /// Checks a count against the bytes that are left (see Scanner::count). Throws InputError.

@@ -133,14 +133,6 @@ std::vector<Surface> read_mapbc(Source& source, const std::filesystem::path& pat
   return surfaces;
 }
 
-std::string safe_surface_name(const std::string& name) {
-  std::string safe = name;
-  for (char& c : safe) {
-    if (static_cast<unsigned char>(c) <= ' ') c = '_';
-  }
-  return safe;
-}
-
 void write_mapbc(std::ostream& stream, const std::vector<Surface>& surfaces) {
   TextWriter out(stream);
   out << surfaces.size() << '\n';

@@ -55,9 +55,6 @@ std::vector<OutputFile> files(const std::filesystem::path& path, const Mesh& mes
 /// each, in a line, its number, its boundary condition (of FUN3D) and its name. Throws InputError.
 std::vector<Surface> read_mapbc(Source& source, const std::filesystem::path& path);
 
-/// Names that a .mapbc file can hold: without blanks.
-std::string safe_surface_name(const std::string& name);
-
 void write_mapbc(std::ostream& out, const std::vector<Surface>& surfaces);
 
 }  // namespace winslow::io::ugrid

@@ -157,7 +157,7 @@ std::vector<Surface> surfaces_of(const Markers& markers, const std::vector<int>&
     const auto has_tag = [&](const Surface& surface) { return surface.tag == tags[m]; };
     if (std::ranges::any_of(surfaces, has_tag)) continue;
     const std::string& name = markers[m].name;
-    surfaces.push_back({tags[m], 0, safe_surface_name(name)});
+    surfaces.push_back({tags[m], 0, as_word(name)});
     if (surfaces.back().name != name) {
       warnings.push_back("marker \"" + name + "\" is written as \"" + surfaces.back().name +
                          "\": a .mapbc file allows no such name");

@@ -52,6 +52,17 @@ CellType cell_type_of(ElementType type) {
   return types[static_cast<std::size_t>(type)];
 }
 
+/// The element that a cell of more than one dimension is; none: it is of a type that we have none
+/// of.
+std::optional<ElementType> element_of(std::int64_t type, std::size_t corners) {
+  if (type == polygon) type = corners == 3 ? triangle : quadrilateral;
+  if (type == pixel) type = quadrilateral;
+  if (type == voxel) type = hexahedron;
+  for (const ElementType element : all_element_types)
+    if (cell_type_of(element) == type) return element;
+  return std::nullopt;
+}
+
 void Grid::add_cell(CellType type, std::span<const Index> nodes, int marker_tag, int region_tag) {
   types.push_back(type);
   connectivity.insert(connectivity.end(), nodes.begin(), nodes.end());
@@ -179,59 +190,26 @@ class MeshBuilder {
 
   void add_cell(std::size_t c) {
     std::vector<Index> nodes = corners(c);
-    switch (grid_.types[c]) {
-      case vertex:
-        require_size(c, nodes, 1);
-        details_->items.push_back({Item::Kind::point, static_cast<Index>(details_->points.size())});
-        details_->points.push_back(nodes[0]);
-        return;
-      case line:
-        require_size(c, nodes, 2);
-        return add_side(c, {nodes[0], nodes[1]});
-      case poly_line:
-        for (std::size_t k = 1; k < nodes.size(); ++k) add_side(c, {nodes[k - 1], nodes[k]});
-        return;
-      case triangle:
-        require_size(c, nodes, 3);
-        return add_polygon(c, nodes);
-      case pixel:
-        require_size(c, nodes, 4);
-        std::swap(nodes[2], nodes[3]);
-        return add_polygon(c, nodes);
-      case quadrilateral:
-        require_size(c, nodes, 4);
-        return add_polygon(c, nodes);
-      case polygon:
-        if (nodes.size() != 3) require_size(c, nodes, 4);
-        return add_polygon(c, nodes);
-      default:
-        add_volume(c, nodes);
+    const std::int64_t type = grid_.types[c];
+    if (type == vertex) {
+      require_size(c, nodes, 1);
+      details_->items.push_back({Item::Kind::point, static_cast<Index>(details_->points.size())});
+      details_->points.push_back(nodes[0]);
+      return;
     }
-  }
-
-  void add_volume(std::size_t c, std::vector<Index>& nodes) {
-    switch (grid_.types[c]) {
-      case tetrahedron:
-        require_size(c, nodes, 4);
-        return add_element(c, ElementType::tetrahedron, nodes);
-      case voxel:
-        require_size(c, nodes, 8);
-        std::swap(nodes[2], nodes[3]);
-        std::swap(nodes[6], nodes[7]);
-        return add_element(c, ElementType::hexahedron, nodes);
-      case hexahedron:
-        require_size(c, nodes, 8);
-        return add_element(c, ElementType::hexahedron, nodes);
-      case wedge:
-        require_size(c, nodes, 6);
-        mirror_prism(nodes);
-        return add_element(c, ElementType::prism, nodes);
-      case pyramid:
-        require_size(c, nodes, 5);
-        return add_element(c, ElementType::pyramid, nodes);
-      default:
-        refuse(c);
+    if (type == line || type == poly_line) {
+      if (type == line) require_size(c, nodes, 2);
+      for (std::size_t k = 1; k < nodes.size(); ++k) add_side(c, {nodes[k - 1], nodes[k]});
+      return;
     }
+    const auto element = element_of(type, nodes.size());
+    if (!element) refuse(c);
+    require_size(c, nodes, static_cast<std::size_t>(corner_count(*element)));
+    if (type == pixel || type == voxel) std::swap(nodes[2], nodes[3]);
+    if (type == voxel) std::swap(nodes[6], nodes[7]);
+    if (type == wedge) mirror_prism(nodes);
+    if (dimension_of(*element) < dimension_) return add_side(c, Face(nodes));
+    add_element(c, *element, nodes);
   }
 
   [[noreturn]] void refuse(std::size_t c) const {
@@ -245,11 +223,6 @@ class MeshBuilder {
                                    : ""),
                  "a line (3), triangle (5), quadrilateral (9), tetrahedron (10), hexahedron (12), "
                  "wedge (13) or pyramid (14)");
-  }
-
-  void add_polygon(std::size_t c, const std::vector<Index>& nodes) {
-    if (dimension_ == 3) return add_side(c, Face(nodes));
-    add_element(c, nodes.size() == 3 ? ElementType::triangle : ElementType::quadrilateral, nodes);
   }
 
   void add_side(std::size_t c, const Face& face) {
