@@ -192,7 +192,7 @@ void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Top
 }
 
 std::string draw_volume(const RenderFlags& flags, const Mesh& mesh) {
-  const gui::VolumePictureOptions options = volume_options(flags, kind_of(*mesh.topology));
+  const gui::VolumePictureOptions options = volume_options(flags, mesh.topology->kind());
   if (!gui::is_vector_format(flags.output)) {
     gui::write_png(flags.output, gui::draw_volume_picture(mesh, options));
     return {};
