@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/geometry/surface/surface.h"
+#include "core/geometry/surface/surfaces.h"
 
 namespace winslow::test {
 namespace {
