@@ -36,9 +36,10 @@ struct PanelContext {
   void edit_view(Change&& change) const {
     ViewOptions after = view;
     change(after);
-    edit(after);
+    emit(action::EditView{difference(view, after)});
   }
-  // Emit what leads from the options as they are to others.
+  // Emit what leads from the options as they are to others; of the view, which panels edit in every
+  // frame, only if there is something.
   void edit(const ViewOptions& after) const {
     if (const auto changes = difference(view, after); !changes.empty())
       emit(action::EditView{changes});
