@@ -16,7 +16,7 @@ namespace winslow::gui::test {
 
 /// No mesh is open.
 struct NothingOpen {
-  OngoingWork work;
+  OngoingWork work{};
   LiveMesh mesh{work};
 };
 
@@ -47,7 +47,7 @@ struct SessionParts {
   std::string notice() const { return messages.notice() ? messages.notice()->text : ""; }
 
   TemporaryFolder folder;
-  OngoingWork work;
+  OngoingWork work{};
   LiveMesh mesh{work};
   MessageBoard messages{mesh};
   Selection selection{mesh, messages};
