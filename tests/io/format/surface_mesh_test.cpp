@@ -67,7 +67,8 @@ TEST_CASE("surface meshes keep markers on the way through every pair of formats 
     io::write_mesh(one, mesh, nullptr);
     const io::MeshFile read = io::read_mesh(one);
     for (const io::MeshFormat* second : io::mesh_formats()) {
-      if (!second->can_write(MeshKind::surface) || first->name == "stl" || second->name == "stl") continue;
+      if (!second->can_write(MeshKind::surface) || first->name == "stl" || second->name == "stl")
+        continue;
       CAPTURE(first->name);
       CAPTURE(second->name);
       ++pairs;
