@@ -212,15 +212,24 @@ static_assert(std::endian::native == std::endian::little,
               "appended data is declared little-endian and written as it lies in memory");
 
 std::string escaped(const std::string& text) {
-  constexpr std::string_view special = "&<>\"";
-  constexpr std::array names{"&amp;", "&lt;", "&gt;", "&quot;"};
   std::string safe;
-  for (const char c : within_line(text)) {
-    const auto found = special.find(c);
-    if (found == std::string_view::npos)
-      safe += c;
-    else
-      safe += names[found];
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += static_cast<unsigned char>(c) < ' ' ? '_' : c;
+    }
   }
   return safe;
 }
