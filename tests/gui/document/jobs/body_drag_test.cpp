@@ -14,9 +14,11 @@ namespace {
 
 bool wait_until(const std::function<bool()>& done) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!done() && std::chrono::steady_clock::now() < end)
+  while (!done()) {
+    if (std::chrono::steady_clock::now() > end) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  return done();
+  }
+  return true;
 }
 
 /// A cavity in a cube is dragged, whose outside slides on a file that is read when the test says
