@@ -241,14 +241,19 @@ WRITERS = {"su2": ["a.su2"], "msh22": ["a.msh", "--gmsh-version", "2.2"],
 
 
 def formats():
-    """Every writer on meshes of every reader, and back again; quality of what was read."""
+    """Every writer on meshes of every reader, and back again; quality of what was read.
+
+    What bounds a volume mesh is several solids of an STL file: it is not read again.
+    """
     files = [*sorted(DATA.glob("square*")), *sorted((ASSETS / "coarse").glob("*.su2"))]
     for path in files:
         steps = []
+        volume = path.suffix == ".su2" and "NDIME= 3" in path.read_text()
         for name, (out, *options) in WRITERS.items():
             there = f"{name}.{out.split('.')[1]}"
             steps.append(["convert", path.name, there, "--quiet", *options])
-            steps.append(["convert", there, f"{name}_back.su2", "--quiet"])
+            if not (volume and there.endswith(".stl")):
+                steps.append(["convert", there, f"{name}_back.su2", "--quiet"])
         steps.append(["quality", path.name, "--report", "quality.json", "--quiet"])
         yield Case(f"format/{path.name}", steps, {path.name: path},
                    quick=path.name in ("square_41b.msh", "square_b.vtu", "quads.su2"))

@@ -79,9 +79,9 @@ VolumeVcvOptions volume_vcv_options(const SmoothOptions& options);
 class SmoothingWorkspace {
  public:
   /// Begins a run: says what is to be solved. state: its mesh is the one that targets `auto` and
-  /// `rest` and the VCVs of a volume mesh refer to, kept by value where they do. Those VCVs are
-  /// made here, of the kind that the options say, but for those given by hand. classes: which nodes
-  /// move.
+  /// `rest` and the VCVs of a volume mesh refer to, kept by value where they do. Those VCVs, of the
+  /// kind that the options say, are made when an equation first needs them; those given by hand are
+  /// taken from the state. classes: which nodes move.
   void prepare(const MeshState& state, const std::shared_ptr<const NodeClasses>& classes,
                const SmoothOptions& options);
 

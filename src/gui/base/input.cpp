@@ -37,7 +37,7 @@ struct InputQueue::Frame {
   Keys keys = Keys::take;
 };
 
-bool InputQueue::take(const Event& event, Frame& frame) {
+bool InputQueue::apply(const Event& event, Frame& frame) {
   if (const auto* move = std::get_if<Move>(&event)) {
     if (frame.any_button) return false;
     state_.mouse = move->position;
@@ -89,7 +89,7 @@ InputState InputQueue::next_frame(Keys keys) {
   }
   Frame frame;
   frame.keys = keys;
-  while (!events_.empty() && take(events_.front(), frame)) events_.pop_front();
+  while (!events_.empty() && apply(events_.front(), frame)) events_.pop_front();
   waiting_ = frame.chord ? frames_to_open : std::max(waiting_ - 1, 0);
   // A drop of no files stands for a frame in which nothing happens.
   if (frame.leads_elsewhere && !events_.empty() && std::holds_alternative<Text>(events_.front()))

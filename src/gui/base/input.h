@@ -84,7 +84,7 @@ class InputQueue {
   };
   using Event = std::variant<Move, Button, Wheel, Key, Text, Drop>;
   struct Frame;  // what the frame being filled holds already
-  bool take(const Event& event, Frame& frame);
+  bool apply(const Event& event, Frame& frame);
   /// What is typed is kept back in this frame.
   bool waits() const { return waiting_ > 0; }
 

@@ -286,7 +286,7 @@ namespace {
 struct Span {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
-  void take(double x) {
+  void include(double x) {
     low = std::min(low, x);
     high = std::max(high, x);
   }
@@ -338,10 +338,10 @@ CellCover::Row CellCover::row_of(const Triangle& p, int row) {
       const double t = rise > 0 ? std::clamp((y - a.y()) / rise, 0.0, 1.0) : 0.0;
       return a.x() + t * (b.x() - a.x());
     };
-    all.take(x_at(bottom));
-    all.take(rise > 0 ? x_at(top) : b.x());
-    if (a.y() <= bottom && b.y() >= bottom) at_bottom.take(x_at(bottom));
-    if (a.y() <= top && b.y() >= top) at_top.take(x_at(top));
+    all.include(x_at(bottom));
+    all.include(rise > 0 ? x_at(top) : b.x());
+    if (a.y() <= bottom && b.y() >= bottom) at_bottom.include(x_at(bottom));
+    if (a.y() <= top && b.y() >= top) at_top.include(x_at(top));
   }
   Row result;
   if (all.high < all.low) return result;

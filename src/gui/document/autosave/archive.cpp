@@ -19,7 +19,7 @@ std::size_t ArchiveReader::length(std::size_t size) {
   return count;
 }
 
-std::string_view ArchiveReader::take(std::size_t count) {
+std::string_view ArchiveReader::next_bytes(std::size_t count) {
   if (count > left_.size()) fail("an early end");
   const std::string_view taken = left_.substr(0, count);
   left_.remove_prefix(count);

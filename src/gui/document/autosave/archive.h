@@ -83,7 +83,7 @@ class ArchiveReader {
   template <class Number>
   void number(Number& value) {
     static_assert(std::is_trivially_copyable_v<Number>);
-    const std::string_view bytes = take(sizeof value);
+    const std::string_view bytes = next_bytes(sizeof value);
     if constexpr (std::is_same_v<Number, bool>) {
       if (bytes[0] != 0 && bytes[0] != 1) fail("neither yes nor no");
     }
@@ -98,9 +98,9 @@ class ArchiveReader {
     const std::size_t count = length(sizeof(Number));
     values.resize(count);
     if (count > 0)
-      std::memcpy(values.data(), take(count * sizeof(Number)).data(), count * sizeof(Number));
+      std::memcpy(values.data(), next_bytes(count * sizeof(Number)).data(), count * sizeof(Number));
   }
-  void text(std::string& text) { text = take(length(1)); }
+  void text(std::string& text) { text = next_bytes(length(1)); }
   template <class Value, class Fields>
   void list(std::vector<Value>& values, const Fields& fields) {
     values.resize(length(1));
@@ -112,7 +112,7 @@ class ArchiveReader {
  private:
   /// A count of things of at least `size` bytes that follow.
   std::size_t length(std::size_t size);
-  std::string_view take(std::size_t count);
+  std::string_view next_bytes(std::size_t count);
 
   std::string_view left_;
   const std::filesystem::path& path_;

@@ -23,7 +23,7 @@ std::vector<Autosave::Orphan> Autosave::find_orphans(const fs::path& root) {
     std::error_code ignored;
     const fs::path manifest = it->path() / manifest_name;
     if (!fs::exists(manifest, ignored)) continue;
-    auto lock = FolderLock::take(it->path());
+    auto lock = FolderLock::acquire(it->path());
     if (!lock) continue;  // its studio is running
     Orphan orphan{it->path(), std::make_shared<FolderLock>(std::move(*lock)), {}, {}};
     try {

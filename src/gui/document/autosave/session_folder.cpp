@@ -128,7 +128,7 @@ void SessionFolder::make() {
   std::error_code error;
   fs::create_directories(path, error);
   if (error) throw OutputError(path.string() + ": cannot be made: " + error.message());
-  lock_ = FolderLock::take(path);
+  lock_ = FolderLock::acquire(path);
   if (!lock_) throw OutputError(path.string() + ": cannot be locked");
   path_ = path;
 }
@@ -224,7 +224,7 @@ RestoredSession read_session(const fs::path& folder) {
   return session;
 }
 
-std::optional<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
+std::optional<FolderLock> FolderLock::acquire(const std::filesystem::path& folder) {
   const int descriptor = ::open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (descriptor < 0) return std::nullopt;
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {

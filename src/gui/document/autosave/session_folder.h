@@ -11,7 +11,7 @@ namespace winslow::gui {
 class FolderLock {
  public:
   /// None where another studio (or this one) holds the folder, or it cannot be locked.
-  static std::optional<FolderLock> take(const std::filesystem::path& folder);
+  static std::optional<FolderLock> acquire(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept;
   FolderLock& operator=(FolderLock&& other) noexcept;

@@ -84,7 +84,7 @@ constexpr std::array<NamedAnchor, 4> named_anchors{
 
 }  // namespace
 
-const Vec2& BodyAnchors::at(PivotPlace place) const {
+const Vec2& BodyAnchors::point(PivotPlace place) const {
   return this->*named_anchors[static_cast<std::size_t>(place)].point;
 }
 

@@ -15,7 +15,7 @@ struct BodyAnchors {
   Vec2 trailing_edge{0, 0};  ///< the sharper end of the chord
   Vec2 leading_edge{0, 0};   ///< the other end
 
-  const Vec2& at(PivotPlace place) const;
+  const Vec2& point(PivotPlace place) const;
 };
 
 /// loops: closed boundary loops of the selection, nodes in order. nodes: of the selection that are

@@ -59,7 +59,7 @@ void PlaneSelection::set_pivot(const action::SetPivot& a) {
 
 void PlaneSelection::place() {
   if (!anchors_ || !place_) return;
-  Vec2 pivot = anchors_->at(*place_);
+  Vec2 pivot = anchors_->point(*place_);
   // The very point of commands without a pivot stays as it is; of others the panel would show what
   // rounding leaves of a zero.
   if (place_ != PivotPlace::centre) {

@@ -70,7 +70,7 @@ class LayersPanel {
     };
     if (!ui::section("section/layers", "Layers")) return hide();
     if (!context.session.document()) return ui::text_dim("No mesh is open.");
-    follow(context);
+    update(context);
     draw_status(context);
     if (!open_) return hide();
     if (names_.empty()) {
@@ -94,7 +94,7 @@ class LayersPanel {
 
  private:
   /// The selection may have changed, and the mesh.
-  void follow(const PanelContext& context) {
+  void update(const PanelContext& context) {
     if (generation_ != context.session.generation()) {
       walls_.clear();
       columns_.clear();

@@ -87,7 +87,7 @@ void SpherePlot::turn(std::size_t which, const SpaceCamera& camera) {
 }
 
 /// True if the VCV has changed.
-bool SpherePlot::follow(const Theme& theme) {
+bool SpherePlot::drag(const Theme& theme) {
   const ImGuiIO& io = ImGui::GetIO();
   const ScreenPoint mouse(io.MousePos);
   const SpaceCamera& camera = drag_camera_;
@@ -145,7 +145,7 @@ void SpherePlot::drive(const VolumeNodalView& view, const SpaceCamera& camera, c
   }
   if (turning_ == 1) turn(1, camera);
   if (!drag_ || (io.MouseDelta.x == 0 && io.MouseDelta.y == 0)) return;
-  if (!follow(theme)) return;
+  if (!drag(theme)) return;
   sent_ = drag_->edit();
   outcome.edit = sent_;
 }

@@ -41,7 +41,7 @@ class SpherePlot {
   void turn(std::size_t which, const SpaceCamera& camera);
   void drive(const VolumeNodalView& view, const SpaceCamera& camera, const Theme& theme,
              Outcome& outcome);
-  bool follow(const Theme& theme);
+  bool drag(const Theme& theme);
 
   bool linked_ = true;
   std::array<ViewDirection, 2> from_{ViewDirection{30, 20, 2}, ViewDirection{30, 20, 2}};

@@ -107,7 +107,7 @@ void Capture::on(const action::CancelRecording&) {
 void Capture::after_frame(PictureSource& source) {
   if (due_ && --due_->delay <= 0) {
     const Due due = *std::exchange(due_, std::nullopt);
-    take(source, due.path, due.as_set);
+    save_picture(source, due.path, due.as_set);
   }
   if (recorder_.state() == Recorder::State::recording) record_frame(source);
   follow_solver();
@@ -122,7 +122,7 @@ void Capture::follow_solver() {
   following_ = follow;
 }
 
-void Capture::take(PictureSource& source, const fs::path& path, bool as_set) {
+void Capture::save_picture(PictureSource& source, const fs::path& path, bool as_set) {
   try {
     if (as_set && is_vector_format(path)) {
       if (figure_.busy()) throw Error("Another figure is being written. Wait until it is done.");
@@ -152,7 +152,7 @@ void Capture::queue_frames() {
   const bool every_shape = recorder_.spec().when == RecordingSpec::When::every_shape || stepping_;
   // A film that lags far behind would never end.
   constexpr std::size_t longest_queue = 400;
-  for (Coordinates& x : meshes_.take(session_, every_shape && queue_.size() < longest_queue))
+  for (Coordinates& x : meshes_.collect(session_, every_shape && queue_.size() < longest_queue))
     queue_.push_back({session_.topology(), std::move(x), 0});
   last_frame_ = std::chrono::steady_clock::now();
 }
@@ -288,7 +288,7 @@ void FilmMeshes::follow_motion(const Session& session) {
   if (!job.held()) moved_ = moved_as_bodies(job.command(), *session.topology());
 }
 
-std::vector<Coordinates> FilmMeshes::take(const Session& session, bool between) {
+std::vector<Coordinates> FilmMeshes::collect(const Session& session, bool between) {
   follow_motion(session);
   const Coordinates& now = session.coordinates();
   std::vector<Coordinates> meshes;

@@ -22,7 +22,7 @@ class FilmMeshes {
   bool has(const Coordinates& x) const { return taken_.size() == x.size() && taken_ == x; }
   /// The mesh on screen, the last, and those on the way to it from the one last taken; that alone
   /// if none is wanted between. All are of the session's topology.
-  std::vector<Coordinates> take(const Session& session, bool between = true);
+  std::vector<Coordinates> collect(const Session& session, bool between = true);
 
  private:
   void follow_motion(const Session& session);
@@ -81,7 +81,7 @@ class Capture {
     bool as_set = false;  // by picture_, or the window as it is
     int delay = 0;        // frames until menus and dialogs are gone from the picture
   };
-  void take(PictureSource& source, const std::filesystem::path& path, bool as_set);
+  void save_picture(PictureSource& source, const std::filesystem::path& path, bool as_set);
   void record_frame(PictureSource& source);
   void queue_frames();
   void queue_turn();

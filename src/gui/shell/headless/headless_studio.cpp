@@ -117,14 +117,14 @@ class FrameTaker {
   }
 
   /// The mesh on screen, and those on the way to it.
-  void take() {
+  void record() {
     PicturePainter& painter = studio_.bench().pictures();
     PictureSpec spec = options_.recording.picture;
     if (!spec.size) {
       const ScreenVector extent = painter.picture_extent(spec);
       spec.size = picture_size(spec, extent.x(), extent.y());
     }
-    for (const Coordinates& x : meshes_.take(studio_.bench().session()))
+    for (const Coordinates& x : meshes_.collect(studio_.bench().session()))
       recorder_.add(painter.picture_of(x, spec));  // waits for the disk where need be
   }
 
@@ -200,7 +200,7 @@ HeadlessResult run_headless(const HeadlessOptions& options) {
     studio.replay(recipe.commands);
   } else {
     FrameTaker taker(studio, options);
-    studio.replay(recipe.commands, [&taker] { taker.take(); });
+    studio.replay(recipe.commands, [&taker] { taker.record(); });
     options.say(taker.finish());
   }
   play_script(script, studio, options.folder, options.say);

@@ -27,7 +27,7 @@ void MeshLayer::update(const std::shared_ptr<const Topology>& topology,
   shape_ = shape;
   small_ = topology->node_count() < small_mesh;
   auto groups = shown_ && renderer_.topology() == topology ? renderer_.edge_groups() : nullptr;
-  if (small_) return take(build(generation, shape, topology, coordinates, std::move(groups)));
+  if (small_) return adopt(build(generation, shape, topology, coordinates, std::move(groups)));
   builder_.start([=] {
     return std::make_shared<Built>(build(generation, shape, topology, coordinates, groups));
   });
@@ -61,7 +61,7 @@ void MeshLayer::color(const std::shared_ptr<const QualityMonitor::Measured>& mea
   }
   if (painted_ == key) return;
   painted_ = key;
-  if (small_) return take(compute(key, generation_));
+  if (small_) return adopt(compute(key, generation_));
   painter_.start([key = std::move(key), generation = generation_] {
     return std::make_shared<Colors>(compute(key, generation));
   });
@@ -82,13 +82,13 @@ MeshLayer::Colors MeshLayer::compute(const ColorKey& key, std::uint64_t generati
 
 bool MeshLayer::poll() {
   auto built = builder_.poll();
-  if (built) take(std::move(**built));
+  if (built) adopt(std::move(**built));
   auto colors = painter_.poll();
-  if (colors) take(std::move(**colors));
+  if (colors) adopt(std::move(**colors));
   return built || colors;
 }
 
-void MeshLayer::take(Built built) {
+void MeshLayer::adopt(Built built) {
   if (built.generation != generation_) return;  // of a mesh that is gone
   // Colours of other elements are gone with the elements.
   if (renderer_.topology() != built.mesh.topology) {
@@ -99,7 +99,7 @@ void MeshLayer::take(Built built) {
   shown_ = built.shown;
 }
 
-void MeshLayer::take(Colors colors) {
+void MeshLayer::adopt(Colors colors) {
   if (colors.generation != generation_ || !painted_) return;
   if (colors.topology != renderer_.topology()) return;
   renderer_.set_colors(std::move(colors.rgba), std::move(colors.opacity));

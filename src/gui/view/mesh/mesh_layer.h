@@ -74,8 +74,8 @@ class MeshLayer {
                      const std::shared_ptr<const Topology>& topology,
                      const Coordinates& coordinates, std::shared_ptr<const EdgeGroups> groups);
   static Colors compute(const ColorKey& key, std::uint64_t generation);
-  void take(Built built);
-  void take(Colors colors);
+  void adopt(Built built);
+  void adopt(Colors colors);
 
   MeshRenderer renderer_;
   std::optional<ShownMesh> shown_;  // what the renderer has, of the present generation

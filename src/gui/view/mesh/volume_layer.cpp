@@ -339,18 +339,18 @@ void VolumeLayer::start() {
   if (!waiting_ || worker_.busy()) return;
   VolumeWish wish = *std::exchange(waiting_, std::nullopt);
   if (wish.mesh->topology->node_count() < small_volume)
-    return take(SceneMaker(std::move(wish), scenes_).make());
+    return adopt(SceneMaker(std::move(wish), scenes_).make());
   worker_.start([wish = std::move(wish), last = scenes_] { return SceneMaker(wish, last).make(); });
 }
 
 bool VolumeLayer::poll() {
   auto made = worker_.poll();
-  if (made) take(std::move(*made));
+  if (made) adopt(std::move(*made));
   start();
   return made.has_value();
 }
 
-void VolumeLayer::take(std::shared_ptr<const VolumeScenes> scenes) {
+void VolumeLayer::adopt(std::shared_ptr<const VolumeScenes> scenes) {
   if (!wanted_ || scenes->of.generation != wanted_->generation) return;
   scenes_ = std::move(scenes);
   ++revision_;

@@ -76,7 +76,7 @@ class VolumeLayer {
 
  private:
   void start();
-  void take(std::shared_ptr<const VolumeScenes> scenes);
+  void adopt(std::shared_ptr<const VolumeScenes> scenes);
 
   Background<std::shared_ptr<const VolumeScenes>> worker_;
   std::optional<VolumeWish> waiting_;

@@ -25,7 +25,7 @@ const CutPlane* held_cut(const ViewportScene& scene) {
   return Vec3(cuts[*scene.cut].normal.data()).norm() > 0 ? &cuts[*scene.cut] : nullptr;
 }
 
-CutPart CutHandle::at(const ScreenPoint& pixel) const {
+CutPart CutHandle::part_at(const ScreenPoint& pixel) const {
   if ((pixel - tip).norm() <= cut_knob_reach * scale) return CutPart::knob;
   const bool on_foot = (pixel - foot).norm() <= foot_reach * scale;
   const bool on_shaft = distance_to_segment(pixel, foot, tip) <= shaft_reach * scale;
@@ -81,7 +81,7 @@ CutPlane turned_cut(const CutPlane& cut, const CutHandle& handle, const View& vi
 void CutTool::hover(const PointerFrame& frame) {
   part_ = CutPart::none;
   if (const CutPlane* cut = held_cut(frame.scene))
-    part_ = make_cut_handle(*cut, frame.view, frame.scene.scale).at(frame.pointer.position);
+    part_ = make_cut_handle(*cut, frame.view, frame.scene.scale).part_at(frame.pointer.position);
 }
 
 bool CutTool::press(const PointerFrame& frame) {
@@ -93,7 +93,7 @@ bool CutTool::press(const PointerFrame& frame) {
   return true;
 }
 
-void CutTool::follow(const PointerFrame& frame) const {
+void CutTool::drag(const PointerFrame& frame) const {
   const ScreenPoint& to = frame.pointer.position;
   edit_cut(frame, part_ == CutPart::knob ? turned_cut(before_, handle_, frame.view, to)
                                          : moved_cut(before_, handle_, frame.view, to - press_));

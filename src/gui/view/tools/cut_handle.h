@@ -21,7 +21,7 @@ struct CutHandle {
   ScreenPoint foot, tip;  ///< the ends of the arrow
   double scale = 1;       ///< of the interface
 
-  CutPart at(const ScreenPoint& pixel) const;
+  CutPart part_at(const ScreenPoint& pixel) const;
 };
 /// The cut that has a handle; null: none has.
 const CutPlane* held_cut(const ViewportScene& scene);
@@ -42,7 +42,7 @@ class CutTool {
   /// Begins a drag with the part under the mouse. False if there is none.
   bool press(const PointerFrame& frame);
   /// The mouse went to a place.
-  void follow(const PointerFrame& frame) const;
+  void drag(const PointerFrame& frame) const;
   /// The cut is as it was before the drag.
   void put_back(const PointerFrame& frame) const;
   /// Under the mouse, or held.

@@ -247,7 +247,7 @@ double Gizmo::distance(const Handle& handle, const ScreenPoint& p) const {
   return std::numeric_limits<double>::infinity();
 }
 
-Handle Gizmo::at(const ScreenPoint& p) const {
+Handle Gizmo::handle_at(const ScreenPoint& p) const {
   if (knob && (p - *knob).norm() <= knob_reach * scale) return {Kind::ring, 2};
   Handle ring;
   double least = ring_reach * scale;

@@ -29,7 +29,7 @@ double turn_about(const View& view, const Vec3& point, const Vec3& axis, double 
 /// plane those of them that lead out of it are left out.
 ///
 ///     const auto gizmo = make_gizmo(view, {.pivot = Vec3(0.5, 0, 0), .in_plane = true}, 1);
-///     const Handle taken = gizmo->at(mouse);
+///     const Handle taken = gizmo->handle_at(mouse);
 
 /// A part of a gizmo.
 struct Handle {
@@ -96,7 +96,7 @@ struct Gizmo {
   std::vector<Handle> handles;
 
   bool has(const Handle& handle) const;
-  Handle at(const ScreenPoint& pixel) const;
+  Handle handle_at(const ScreenPoint& pixel) const;
   const GizmoFrame& frame() const { return place.frame; }
 
  private:

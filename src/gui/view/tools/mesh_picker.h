@@ -12,7 +12,7 @@ namespace winslow::gui {
 /// kind of picker for meshes of the plane, one for those of space.
 ///
 ///     picker.look(frame, false);
-///     if (const auto point = picker.take(frame)) mover.take(*point, press, frame);
+///     if (const auto point = picker.grab(frame)) mover.grab(*point, press, frame);
 class MeshPicker {
  public:
   virtual ~MeshPicker() = default;
@@ -50,7 +50,7 @@ class MeshPicker {
 
   /// A drag begins here with the left button. A point of what it takes hold of: a body, or nodes of
   /// the boundary, which are selected then; none: nothing.
-  virtual std::optional<Vec3> take(const PointerFrame& frame) = 0;
+  virtual std::optional<Vec3> grab(const PointerFrame& frame) = 0;
   virtual void click(const PointerFrame& frame) const = 0;
   /// Shows the node under the mouse in the tab VCV, if that is what clicks are for. False if not.
   virtual bool inspect(const PointerFrame& frame) const = 0;

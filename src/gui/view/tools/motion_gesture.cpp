@@ -87,13 +87,13 @@ void MotionGesture::find_grip(const View& view, const ScreenPoint& press) {
   grip_ = arm.norm() > 0 ? Vec3(arm.normalized()) : Vec3(frame_.axes[0]);
 }
 
-bool MotionGesture::take(const Way& next) {
+bool MotionGesture::set_way(const Way& next) {
   if (next == now_) return false;
   now_ = next;
   return true;
 }
 
-bool MotionGesture::follow(const ScreenPoint& mouse, Modifiers modifiers, const View& view) {
+bool MotionGesture::drag_to(const ScreenPoint& mouse, Modifiers modifiers, const View& view) {
   const double speed = modifiers.fine ? fine_speed : 1;
   const ScreenPoint before = last_;
   last_ = mouse;
@@ -107,7 +107,7 @@ bool MotionGesture::follow(const ScreenPoint& mouse, Modifiers modifiers, const 
   } else {
     next.translate = moved_to(view);
   }
-  return take(next);
+  return set_way(next);
 }
 
 /// From where the mouse was pressed at once, so that no path adds up.
@@ -144,7 +144,7 @@ bool MotionGesture::type(const TypedMotion& typed) {
       next.translate += *way * along[k].along;
     }
   }
-  return take(next);
+  return set_way(next);
 }
 
 void MotionGesture::toggle_axis(int axis, const View& view) {

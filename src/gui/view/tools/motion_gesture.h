@@ -48,7 +48,7 @@ class MotionGesture {
   /// from: where the mouse is.
   void begin(const Handle& handle, const ScreenPoint& from, const Gizmo& gizmo, const View& view);
   /// The mouse went to a place. True if that changed the motion.
-  bool follow(const ScreenPoint& mouse, Modifiers modifiers, const View& view);
+  bool drag_to(const ScreenPoint& mouse, Modifiers modifiers, const View& view);
   /// Takes the motion from typed numbers: degrees, or units of the mesh along each of
   /// directions(). True if that changed the motion.
   bool type(const TypedMotion& typed);
@@ -101,7 +101,7 @@ class MotionGesture {
     Vec3 axis{0, 0, 1};
     bool operator==(const Way&) const = default;
   };
-  bool take(const Way& next);
+  bool set_way(const Way& next);
   Vec3 moved_to(const View& view) const;
   void find_grip(const View& view, const ScreenPoint& press);
 

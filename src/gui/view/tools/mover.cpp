@@ -46,10 +46,10 @@ void Mover::hover(const PointerFrame& frame) {
   hovered_ = {};
   if (!frame.pointer.over) return;
   if (const auto shown = gizmo(frame.scene, frame.view))
-    hovered_ = shown->at(frame.pointer.position);
+    hovered_ = shown->handle_at(frame.pointer.position);
 }
 
-void Mover::take(const Vec3& point, const ScreenPoint& from, const PointerFrame& frame) {
+void Mover::grab(const Vec3& point, const ScreenPoint& from, const PointerFrame& frame) {
   const GizmoPlace place{.pivot = point, .turns = false, .in_plane = !frame.view.turns()};
   const auto shown = make_gizmo(frame.view, place, frame.scene.scale);
   if (shown) begin({Handle::Kind::centre, 0}, *shown, from, frame);
@@ -65,7 +65,7 @@ void Mover::begin(const Handle& handle, const Gizmo& gizmo, const ScreenPoint& f
   frame.actions.emplace_back(action::BeginDrag{shape_});
 }
 
-void Mover::follow(const PointerFrame& frame, const PointerState& before) {
+void Mover::drag(const PointerFrame& frame, const PointerState& before) {
   const PointerState& p = frame.pointer;
   const std::array<bool, 3> now{p.key_x, p.key_y, p.key_z};
   const std::array<bool, 3> was{before.key_x, before.key_y, before.key_z};
@@ -74,7 +74,7 @@ void Mover::follow(const PointerFrame& frame, const PointerState& before) {
   // Before Enter counts, which may have come in the same frame.
   if (take_typed(frame, before)) frame.actions.emplace_back(action::DragTo{gesture_.motion()});
   if (p.cancel || (p.accept && !before.accept)) return end(p.cancel, frame.actions);
-  if (!typed_.active() && gesture_.follow(p.position, {p.shift, p.control}, frame.view))
+  if (!typed_.active() && gesture_.drag_to(p.position, {p.shift, p.control}, frame.view))
     frame.actions.emplace_back(action::DragTo{gesture_.motion()});
   if (!p.left) end(false, frame.actions);
 }
@@ -88,7 +88,7 @@ bool Mover::take_typed(const PointerFrame& frame, const PointerState& before) {
   // An axis may have been chosen since.
   if (typed_.active()) return gesture_.type(typed_);
   // Without numbers the mouse counts again, from where it is.
-  return changed && was_active && gesture_.follow(p.position, {p.shift, p.control}, frame.view);
+  return changed && was_active && gesture_.drag_to(p.position, {p.shift, p.control}, frame.view);
 }
 
 void Mover::end(bool cancelled, ActionQueue& actions) {

@@ -16,10 +16,10 @@ class Mover {
   void begin(const Handle& handle, const Gizmo& gizmo, const ScreenPoint& from,
              const PointerFrame& frame);
   /// Begins to drag what lies at a point across the view: a body, or what is held of the boundary.
-  void take(const Vec3& point, const ScreenPoint& from, const PointerFrame& frame);
+  void grab(const Vec3& point, const ScreenPoint& from, const PointerFrame& frame);
   /// A frame of the drag; ends it with Enter, Esc or when the button is let go of. before: the
   /// mouse in the frame before.
-  void follow(const PointerFrame& frame, const PointerState& before);
+  void drag(const PointerFrame& frame, const PointerState& before);
 
   bool dragging() const { return dragging_; }
   /// What is dragged is a part of the boundary.

@@ -128,7 +128,7 @@ Vec3 PlanePicker::middle(const PointerFrame& frame) const {
   return place_in_plane(frame.view.to_plane(frame.pointer.position));
 }
 
-std::optional<Vec3> PlanePicker::take(const PointerFrame& frame) {
+std::optional<Vec3> PlanePicker::grab(const PointerFrame& frame) {
   const Selection& selection = frame.scene.session.selection();
   const ShapeEdit& edit = selection.shape_edit();
   if (corner_) {
@@ -224,7 +224,7 @@ PlanePicker::PivotPlacing PlanePicker::place_pivot(const PointerFrame& frame) {
   if (const auto& anchors = frame.scene.session.selection().anchors())
     for (const PivotPlace place : {PivotPlace::leading_edge, PivotPlace::trailing_edge,
                                    PivotPlace::centroid, PivotPlace::centre})
-      try_point(anchors->at(place), pivot_place_name(place));
+      try_point(anchors->point(place), pivot_place_name(place));
   if (const auto hit = boundary_of(frame).pick_node(mouse, 0.5 * best))
     try_point(boundary_of(frame).position(hit->node), "node " + std::to_string(hit->node));
   return placing;

@@ -6,7 +6,7 @@ namespace winslow::gui {
 
 void Ruler::update(const PointerState& pointer, const std::optional<RulerPoint>& under,
                    double scale, const Session& session) {
-  follow(session);
+  update(session);
   const bool pressed = pointer.left && !was_down_;
   const bool released = !pointer.left && was_down_;
   was_down_ = pointer.left;
@@ -22,7 +22,7 @@ void Ruler::update(const PointerState& pointer, const std::optional<RulerPoint>&
 }
 
 /// Goes with the mesh.
-void Ruler::follow(const Session& session) {
+void Ruler::update(const Session& session) {
   const auto& topology = session.topology();
   // Another mesh, or other elements: the numbers of nodes mean others.
   if (topology_ != topology) {

@@ -28,7 +28,7 @@ class Ruler {
   std::vector<RulerPoint> drawn() const;
 
  private:
-  void follow(const Session& session);
+  void update(const Session& session);
 
   std::vector<RulerPoint> points_;
   std::optional<RulerPoint> hovered_;

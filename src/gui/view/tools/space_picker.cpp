@@ -316,7 +316,7 @@ Vec3 SpacePicker::middle(const PointerFrame& frame) const {
 }
 
 /// A node of the boundary, and what is held together with it.
-std::optional<Vec3> SpacePicker::take(const PointerFrame& frame) {
+std::optional<Vec3> SpacePicker::grab(const PointerFrame& frame) {
   if (!takes()) return std::nullopt;
   const Session& session = frame.scene.session;
   const Index node = held().front();

@@ -47,7 +47,7 @@ class SpacePicker : public MeshPicker {
   void look_again() override { looked_.reset(); }
   std::optional<Vec3> point(const PointerFrame& frame) const override;
   Vec3 middle(const PointerFrame& frame) const override;
-  std::optional<Vec3> take(const PointerFrame& frame) override;
+  std::optional<Vec3> grab(const PointerFrame& frame) override;
   void click(const PointerFrame& frame) const override;
   bool inspect(const PointerFrame& frame) const override;
   std::optional<RulerPoint> ruler_point(const PointerFrame& frame) override;

@@ -46,7 +46,7 @@ void Viewport::update(const PointerState& p, const ViewportScene& scene, View& v
   } else if (p.cancel) {
     cancel(frame);
   } else {
-    follow(frame);
+    drag(frame);
     last_.position = p.position;
     const bool held = other_button_ ? p.middle || p.right : p.left;
     if (!held && gesture_ != Gesture::move) release(frame);
@@ -127,15 +127,15 @@ void Viewport::take_handle(const PointerFrame& frame) {
 void Viewport::leave_press(const PointerFrame& frame) {
   last_.position = press_;
   gesture_ = frame.view.turns() ? Gesture::orbit : Gesture::pan;
-  const auto taken = picker_->take(frame);
+  const auto taken = picker_->grab(frame);
   if (!taken) return;
-  mover_.take(*taken, press_, frame);
+  mover_.grab(*taken, press_, frame);
   if (!mover_.dragging()) return;
   gesture_ = Gesture::move;
   follow_move(frame);
 }
 
-void Viewport::follow(const PointerFrame& frame) {
+void Viewport::drag(const PointerFrame& frame) {
   const PointerState& p = frame.pointer;
   if ((p.position - press_).norm() > drag_threshold * frame.scene.scale) {
     if (gesture_ == Gesture::press) leave_press(frame);
@@ -149,13 +149,13 @@ void Viewport::follow(const PointerFrame& frame) {
   else if (gesture_ == Gesture::pivot)
     follow_pivot(frame);
   else if (gesture_ == Gesture::cut && by != ScreenVector())
-    cut_.follow(frame);
+    cut_.drag(frame);
 }
 
 void Viewport::follow_move(const PointerFrame& frame) {
   const PointerState& p = frame.pointer;
   if ((p.position - press_).norm() > drag_threshold * frame.scene.scale) clicks_ = false;
-  mover_.follow(frame, last_);
+  mover_.drag(frame, last_);
   picker_->look_again();
   if (mover_.dragging()) return;
   // A click on a handle is one on the node behind it, too.

@@ -57,7 +57,7 @@ class Viewport {
   void press(const PointerFrame& frame);
   void take_handle(const PointerFrame& frame);
   void leave_press(const PointerFrame& frame);
-  void follow(const PointerFrame& frame);
+  void drag(const PointerFrame& frame);
   void follow_move(const PointerFrame& frame);
   void follow_pivot(const PointerFrame& frame);
   void release(const PointerFrame& frame);

@@ -40,26 +40,26 @@ TEST_CASE("the grid is a round number of units, 8 to 20 pixels wide, at any zoom
 TEST_CASE("fine motion adds up with coarse, and does not jump when Shift goes") {
   const Camera c = plane();
   MotionGesture drag = begun({Handle::Kind::centre, 0}, ScreenPoint(100, 100), c);
-  CHECK(drag.follow(ScreenPoint(200, 100), {}, c));
+  CHECK(drag.drag_to(ScreenPoint(200, 100), {}, c));
   CHECK(drag.translate().x() == doctest::Approx(1));
-  CHECK(drag.follow(ScreenPoint(300, 100), {true, false}, c));
+  CHECK(drag.drag_to(ScreenPoint(300, 100), {true, false}, c));
   CHECK(drag.translate().x() == doctest::Approx(1.1));
-  CHECK_FALSE(drag.follow(ScreenPoint(300, 100), {}, c));
-  CHECK(drag.follow(ScreenPoint(310, 100), {}, c));
+  CHECK_FALSE(drag.drag_to(ScreenPoint(300, 100), {}, c));
+  CHECK(drag.drag_to(ScreenPoint(310, 100), {}, c));
   CHECK(drag.translate().x() == doctest::Approx(1.2));
 }
 
 TEST_CASE("a lock keeps the other axis at nothing and forgets nothing") {
   const Camera c = plane();
   MotionGesture drag = begun({Handle::Kind::arrow, 1}, ScreenPoint(100, 100), c);
-  drag.follow(ScreenPoint(150, 70), {}, c);
+  drag.drag_to(ScreenPoint(150, 70), {}, c);
   CHECK(drag.translate() == Vec3(0, drag.translate().y(), 0));
   CHECK(drag.translate().y() == doctest::Approx(0.3));
   drag.toggle_axis(1, c);
-  drag.follow(ScreenPoint(150, 70), {}, c);
+  drag.drag_to(ScreenPoint(150, 70), {}, c);
   CHECK(drag.translate().x() == doctest::Approx(0.5));
   drag.toggle_axis(0, c);
-  drag.follow(ScreenPoint(150, 70), {}, c);
+  drag.drag_to(ScreenPoint(150, 70), {}, c);
   CHECK(drag.translate().y() == 0);
 }
 
@@ -70,9 +70,9 @@ TEST_CASE("turns are counted past half a turn and snapped in total") {
     return c.to_screen(Vec2(std::cos(t), std::sin(t)));
   };
   MotionGesture drag = begun({Handle::Kind::ring, 2}, at(0), c);
-  for (int k = 1; k <= 53; ++k) drag.follow(at(10.0 * k), {}, c);
+  for (int k = 1; k <= 53; ++k) drag.drag_to(at(10.0 * k), {}, c);
   CHECK(drag.rotate() == doctest::Approx(530));
-  drag.follow(at(532), {false, true}, c);
+  drag.drag_to(at(532), {false, true}, c);
   CHECK(drag.rotate() == 530);
   CHECK(drag.motion() == RigidMotion{530, Vec2(0, 0), Vec2(0, 0)});
 }
@@ -80,12 +80,12 @@ TEST_CASE("turns are counted past half a turn and snapped in total") {
 TEST_CASE("a view that is zoomed during a drag leaves the motion as it is") {
   Camera c = plane();
   MotionGesture drag = begun({Handle::Kind::centre, 0}, ScreenPoint(100, 100), c);
-  drag.follow(ScreenPoint(150, 80), {}, c);
+  drag.drag_to(ScreenPoint(150, 80), {}, c);
   const Vec3 before = drag.translate();
   c.zoom_about(c.at_depth_of(Vec3(0, 0, 0), ScreenPoint(150, 80)), 3);
-  drag.follow(ScreenPoint(150, 80), {}, c);
+  drag.drag_to(ScreenPoint(150, 80), {}, c);
   CHECK((drag.translate() - before).norm() < 1e-12);
-  drag.follow(ScreenPoint(180, 80), {}, c);
+  drag.drag_to(ScreenPoint(180, 80), {}, c);
   CHECK(drag.translate().x() == doctest::Approx(before.x() + 0.1));
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("in the plane Z keeps to nothing, and a turn has no other axis") {
   MotionGesture drag = begun({Handle::Kind::centre, 0}, ScreenPoint(100, 100), c);
   drag.toggle_axis(2, c);
   CHECK(drag.directions().size() == 2);
-  drag.follow(ScreenPoint(150, 70), {}, c);
+  drag.drag_to(ScreenPoint(150, 70), {}, c);
   CHECK(drag.translate().x() == doctest::Approx(0.5));
   MotionGesture turn = begun({Handle::Kind::ring, 2}, ScreenPoint(480, 300), c);
   turn.toggle_axis(0, c);
