@@ -15,11 +15,11 @@ std::string suggest(std::string_view unknown, const std::vector<std::string>& kn
 /// "a, b, c".
 std::string join(const std::vector<std::string>& names);
 
-/// Accepts one of some names; the message for any other lists them and suggests the nearest.
+/// Accepts one of some names; the error for others lists the names and suggests the nearest.
 CLI::Validator one_of(std::vector<std::string> names);
-/// Accepts everything; shells offer these words (words_of()).
+/// Accepts any text; shell completion offers these words (words_of()).
 CLI::Validator words_to_offer(const std::vector<std::string>& words);
-/// The names that an option takes, of its one_of() or words_to_offer(); empty: it has neither.
+/// The words of an option's one_of() or words_to_offer(); empty if it has neither.
 std::vector<std::string> words_of(CLI::Option& option);
 
 /// Declares flags under one heading of the help.
@@ -28,12 +28,12 @@ class FlagGroup {
   explicit FlagGroup(CLI::App& app, std::string heading = "Options")
       : app_(app), heading_(std::move(heading)) {}
 
-  /// A flag with values of a type that help and messages call `takes`.
+  /// A flag with a value. Help and messages call the type of the value `takes`.
   template <class Value>
   CLI::Option* value(const char* names, Value& to, const char* takes, const std::string& help) {
     return app_.add_option(names, to, help)->type_name(takes)->group(heading_);
   }
-  /// A flag after which the help says nothing but `takes`: "N [500]".
+  /// A flag with a value, described in the help only by `takes`: "N [500]".
   template <class Value>
   CLI::Option* value_as(const char* names, Value& to, const std::string& takes,
                         const std::string& help) {
@@ -48,22 +48,22 @@ class FlagGroup {
   std::string heading_;
 };
 
-/// Files of a job that changes a mesh, and what is said about it.
+/// Files and output options of a job that changes a mesh.
 struct JobFiles {
   std::string input;
-  int zone = 0;  ///< of a file of several zones; 0: all of them
+  int zone = 0;  ///< zone of the input; 0: all zones
   std::string output;
   std::string report;       ///< JSON; empty: none
   std::string history;      ///< CSV; empty: none
   std::string save_recipe;  ///< JSON; empty: none
   bool allow_inverted = false;
-  bool accept_partial = false;  ///< write the last valid mesh of a motion that was not completed
+  bool accept_partial = false;  ///< write the last valid mesh of an incomplete motion
   bool quiet = false;
   io::WriteOptions encoding;
 };
 
 void add_input(CLI::App& app, std::string& input);
-/// Declares --zone; `without`: what is done where it is not given.
+/// Declares --zone; `without`: text for the help on what happens without it.
 void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
 /// Declares --zone, -o, --report, --history, --allow-inverted, --accept-partial, --quiet and those
 /// of add_encoding_flags.
@@ -74,21 +74,21 @@ void add_recipe_flag(CLI::App& app, JobFiles& files);
 void add_encoding_flags(CLI::App& app, io::WriteOptions& encoding);
 void add_quiet_flag(CLI::App& app, bool& quiet);
 
-/// Throws before hours are spent: UsageError if the extension of a mesh is unknown, OutputError if
-/// its folder does not exist or cannot be written to. An empty path is fine.
+/// Checks an output path before a long solve. Throws UsageError if the extension of a mesh is
+/// unknown, OutputError if the folder does not exist or is not writable. Accepts an empty path.
 void check_mesh_output(const std::string& path);
 /// The same for any other file.
 void check_output(const std::string& path);
-/// Throws UsageError if two of the files that are to be written are the same.
+/// Throws UsageError if two output files have the same path.
 void check_distinct(const std::vector<std::string>& paths);
 
-/// Declares a flag for each option of a table that has one: what it takes is checked as it is
-/// parsed. The object that the table is bound to must outlive the parsing.
+/// Declares a flag for each option of a table that has one; values are checked during parsing. The
+/// object bound to the table must outlive the parsing.
 void add_option_flags(CLI::App& app, const OptionTable& table, const std::string& group);
 
-/// What the help says after a flag: "N [500]", "auto|on|off [auto]".
+/// The help text right after a flag: "N [500]", "auto|on|off [auto]".
 std::string flag_text(const Option& option);
-/// What the help says of an option, and of what there is to choose from.
+/// The help text of an option, including its choices.
 std::string flag_help(const Option& option);
 
 /// Declares a flag for each option of smoothing. `options` must outlive the parsing.
@@ -103,12 +103,12 @@ void add_direct_flag(CLI::App& app, MotionOptions& options);
 /// Declares --marker, which may be given several times.
 void add_marker_flag(CLI::App& app, std::vector<std::string>& markers);
 
-/// The options that say where layers go and how high they are.
+/// Flags for the walls, heights and columns of layers.
 class LayerFlags {
  public:
   /// Declares --marker, --wall, --count, --first, ... This object must outlive the parsing.
   void declare(CLI::App& app);
-  /// Puts the walls and overrides that were asked for into the options. Throws UsageError.
+  /// Copies the parsed walls and overrides into the options. Throws UsageError.
   void finish(LayerOptions& options) const;
 
  private:
@@ -120,14 +120,14 @@ class LayerFlags {
 
 /// Declares --hold-layers: walls whose layers keep their heights while bodies move.
 void add_hold_layers_flag(CLI::App& app, std::vector<std::string>& markers);
-/// The command, preceded by one that finds and holds the layers at these walls, if any are named.
+/// The command, preceded by one that detects and holds the layers at the named walls, if any.
 std::vector<Command> holding_layers(const std::vector<std::string>& markers,
                                     const SmoothOptions& smooth, Command command);
 
-/// "NAME[,NAME]:count=20,first=1e-5,...", what is not said as in `common`. Keys are those of
+/// "NAME[,NAME]:count=20,first=1e-5,...", missing keys as in `common`. Keys are those of
 /// LayerSpacing and of WallPart. Throws UsageError.
 LayerWall parse_wall(const std::string& text, const LayerSpacing& common);
-/// "NODE:columns=3,thickness=0.01", of which one may be missing. Throws UsageError.
+/// "NODE:columns=3,thickness=0.01", either value may be missing. Throws UsageError.
 ColumnOverride parse_column(const std::string& text);
 
 }  // namespace winslow::app

@@ -14,13 +14,13 @@
 
 namespace winslow::app {
 
-/// Wall-clock seconds since it was made or last restarted.
+/// Measures wall-clock seconds since construction or the last lap().
 class Stopwatch {
  public:
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
-  /// The seconds so far; counts from zero again.
+  /// Returns the seconds so far and restarts from zero.
   double lap() {
     const double s = seconds();
     start_ = std::chrono::steady_clock::now();
@@ -31,7 +31,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Where the time of a run went.
+/// Times of the phases of a run.
 struct Timings {
   double load = 0, solve = 0, save = 0, total = 0;  ///< seconds
 };
@@ -43,15 +43,15 @@ std::int64_t peak_memory_bytes();
 struct CommandRecord {
   std::string name;                        ///< command_name()
   std::string description;                 ///< describe()
-  std::vector<MovingBody> turned;          ///< bodies that turned; they name their pivots
+  std::vector<MovingBody> turned;          ///< bodies that turned, with their pivots
   std::optional<std::string> formulation;  ///< of commands that smooth
   SmoothResult result;
   int dimension = 2;        ///< of the mesh's coordinates
-  bool on_surface = false;  ///< of a surface mesh
-  int zone = 0;  ///< number of the zone that it was carried out on; 0: of a file that has none
+  bool on_surface = false;  ///< the mesh is a surface mesh
+  int zone = 0;             ///< number of the zone that it changed; 0 for a file without zones
 };
 
-/// All that --report tells of a run.
+/// Content of --report about a run.
 struct RunReport {
   std::string command;  ///< the subcommand
   std::string input, output;
@@ -61,9 +61,9 @@ struct RunReport {
   std::vector<std::string> warnings;
 };
 
-/// The block "quality", and what else is said of a mesh: "nodes", "elements", "inverted",
-/// "inverted_elements" (ids and centres of the first 100), "worst", "walls", "units". The blocks
-/// "quality_before" and "walls" say how it was, too, where `before` is given.
+/// Describes a mesh: the block "quality", and "nodes", "elements", "inverted", "inverted_elements"
+/// (ids and centres of the first 100), "worst", "walls", "units". With `before`, the blocks
+/// "quality_before" and "walls" also describe the earlier state.
 nlohmann::json describe_mesh(const Mesh& mesh, const QualityReport& quality,
                              const QualityReport* before = nullptr);
 
@@ -74,24 +74,25 @@ nlohmann::json describe_layers(const LayerStack& stack, const Coordinates& x);
 /// The block "surface".
 nlohmann::json describe_surface(const SurfaceChange& change);
 
-/// What came of a zone, or of the one mesh of a file.
+/// The result for a zone, or for the mesh of a file without zones.
 struct ZoneResult {
-  int zone;  ///< 0: of a file that has none
+  int zone;  ///< 0 for a file without zones
   const Mesh* mesh;
   const QualityReport* quality;
-  const QualityReport* before;             ///< of what was read; null: nothing was done to it
+  const QualityReport* before;             ///< of the mesh that was read; null: mesh unchanged
   const LayerStack* layers;                ///< null: none
-  const SurfaceChange* surface = nullptr;  ///< of a surface mesh, against what was read; else null
-  /// What the file says of periodic sides of this very mesh; null: not asked.
+  const SurfaceChange* surface = nullptr;  ///< for a surface mesh, change from the mesh read; else
+                                           ///< null
+  /// Periodic sides that the file names for this mesh; null: not reported.
   const GivenPeriodicity* periodic = nullptr;
 };
 
-/// What is said of meshes: of one mesh itself; of several "nodes", "elements" and "inverted"
-/// together, and "zones", a list of what is said of each.
+/// Describes meshes. One mesh: describe_mesh() and its other blocks. Several: the sums of "nodes",
+/// "elements" and "inverted", and "zones", a list with the description of each.
 nlohmann::json describe_zones(const std::vector<ZoneResult>& zones);
 
-/// Adds what all reports say of a run: "command", "input", "seconds", "peak_memory_bytes" and
-/// "warnings".
+/// Adds the keys of a run that all reports have: "command", "input", "seconds", "peak_memory_bytes"
+/// and "warnings".
 void describe_circumstances(nlohmann::json& report, const RunReport& run);
 
 /// The whole report (docs/command-line.md lists the keys).

@@ -12,35 +12,34 @@
 
 namespace winslow::app {
 
-/// Deviation and volume, one line each.
+/// Prints deviation and volume of a surface, one line each.
 void print_surface_change(std::ostream& out, const SurfaceChange& change);
-/// "zone 2" over what follows about it; nothing for an empty name.
+/// Prints a heading such as "zone 2"; nothing for an empty name.
 void print_zone_heading(std::ostream& out, const std::string& name);
 /// Minimum, average and maximum of the three metrics, as the paper tabulates them, and the number
 /// of nodes, elements and inverted elements.
 void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality);
-/// The worst elements by each metric and each field of walls that has values: ids (0-based, in the
-/// order of the file), values, centres.
+/// Prints the worst elements for each metric and each wall field that has values: ids (0-based, in
+/// the order of the file), values, centres.
 void print_worst_elements(std::ostream& out, const QualityReport& quality);
-/// Inverted elements with their ids and centres, at most `limit` of them.
+/// Prints at most `limit` inverted elements with their ids and centres.
 void print_inverted_elements(std::ostream& out, const Mesh& mesh, const QualityReport& quality,
                              int limit);
-/// Bars, one line a bin, for each metric.
+/// Prints a histogram of each metric, one line per bin.
 void print_histograms(std::ostream& out, const QualityReport& quality);
 
-/// First height, tilt and growth of the cells at walls, and the size ratio of neighbours: how they
-/// are spread, and how they were. before: null where there was no other mesh.
+/// Prints distributions of first height, tilt and growth of the cells at walls, and of the size
+/// ratio of neighbours. before: the same of the earlier mesh; null if there was none.
 void print_walls(std::ostream& out, const WallReport* before, const WallReport& now);
 
-/// The block "walls" (docs/command-line.md lists the keys). mesh: that of `now`.
+/// The block "walls" (docs/command-line.md lists the keys). mesh: the mesh of `now`.
 nlohmann::json describe_walls(const WallReport* before, const WallReport& now, const Mesh& mesh);
 
-/// Heights, error and tilt of the layers in a mesh, and the columns that were cut most: at most
-/// `limit` of them, thinnest for what was asked first. x: #nodes by 2.
+/// Prints heights, error and tilt of the layers in a mesh, and the columns that were cut most: at
+/// most `limit`, those with the smallest fraction of the requested thickness first. x: #nodes by 2.
 void print_layers(std::ostream& out, const LayerStack& stack, const Coordinates& x, int limit);
 
-/// A line for each pair of markers that the file of a mesh names as periodic; nothing if it names
-/// none.
+/// Prints a line for each pair of markers that the mesh file names as periodic.
 void print_pairs(std::ostream& out, const GivenPeriodicity& periodicity, const Mesh& mesh);
 /// The same for reports: a list, empty if the file names none.
 nlohmann::json describe_pairs(const GivenPeriodicity& periodicity, const Mesh& mesh);

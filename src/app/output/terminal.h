@@ -11,8 +11,8 @@ namespace winslow::app {
 /// What the program's exit status means. Scripts rely on these numbers.
 enum class ExitCode {
   done = 0,           ///< done, and the mesh is valid
-  internal = 1,       ///< a fault of the program or the machine (out of memory, no OpenGL)
-  usage = 2,          ///< options or arguments that make no sense
+  internal = 1,       ///< failure of the program or the machine (out of memory, no OpenGL)
+  usage = 2,          ///< invalid options or arguments
   input = 3,          ///< a file that cannot be read, is wrong, or cannot be written
   inverted = 4,       ///< the result has inverted elements, or the motion was not completed
   not_converged = 5,  ///< not converged: the limit of iterations, or no gain any more
@@ -28,7 +28,7 @@ inline constexpr std::string_view exit_code_help =
     "within the limit, or nothing gained any more (written if valid); 130 interrupted (nothing\n"
     "written).";
 
-/// What printf() would print, cut off after 199 characters.
+/// Formats like printf(), truncated to 199 characters.
 template <class... Values>
 std::string formatted(const char* format, Values... values) {
   std::array<char, 200> buffer;
@@ -36,16 +36,16 @@ std::string formatted(const char* format, Values... values) {
   return buffer.data();
 }
 
-/// Text that is safe to print: names in files and of files may hold escape sequences, with which a
-/// terminal can be made to do things. Control characters become \\xNN (also those of the C1 set, in
-/// UTF-8); line ends stay.
+/// Makes text safe to print: names in files and of files may hold escape sequences that control the
+/// terminal. Control characters become \\xNN (also those of the C1 set, in UTF-8); line ends are
+/// kept.
 std::string printable(std::string_view text);
 
-/// Prints each to the standard error, as a line "winslow: warning: ...".
+/// Prints each warning to the standard error, as a line "winslow: warning: ...".
 void print_warnings(const std::vector<std::string>& warnings);
 
-/// While it lives, SIGINT and SIGTERM are noted instead of ending the program, so that a job can
-/// stop between two iterations. The second signal ends the program the usual way.
+/// During its lifetime, SIGINT and SIGTERM are recorded instead of ending the program, so that a
+/// job can stop between two iterations. A second signal ends the program as usual.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -54,14 +54,14 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
   static bool requested();
-  /// Throws Cancelled if a signal has come.
+  /// Throws Cancelled if a signal has arrived.
   static void check();
 
  private:
   struct sigaction old_interrupt_ = {}, old_terminate_ = {};
 };
 
-/// Holds signals back while results are written: all of them are written, or none.
+/// Blocks signals while results are written, so that all of them are written, or none.
 class SignalsHeld {
  public:
   SignalsHeld();
@@ -73,17 +73,17 @@ class SignalsHeld {
   sigset_t old_mask_ = {};
 };
 
-/// Watches a solve for the command line: keeps a line on the terminal up to date, and cancels the
+/// Monitors a solve for the command line: updates a progress line on the terminal and cancels the
 /// solve after Ctrl-C.
 class ProgressMonitor : public SolverMonitor {
  public:
-  /// visible: draw the line. Only sensible on a terminal.
+  /// visible: draw the progress line (only useful on a terminal).
   explicit ProgressMonitor(bool visible) : visible_(visible) {}
   ~ProgressMonitor() override { clear(); }
 
   bool on_iteration(const IterationRecord& record, const Coordinates& coordinates) override;
   bool cancelled() override;
-  /// What the line begins with, e.g. "Rotate flap by -40 deg".
+  /// Sets the beginning of the line, e.g. "Rotate flap by -40 deg".
   void set_label(std::string label) { label_ = std::move(label); }
   /// Removes the line.
   void clear();

@@ -11,7 +11,7 @@
 
 namespace winslow::app {
 
-/// Of a picture of a volume mesh.
+/// Flags for pictures of volume meshes.
 struct VolumeFlags {
   std::vector<std::array<double, 6>> cuts;  // point, normal
   bool no_cut = false, crinkle = false, perspective = false;
@@ -25,7 +25,7 @@ struct VolumeFlags {
   std::string peel;  // MARKER:FROM:TO
 };
 
-/// What the user asked for, in terms that need no OpenGL.
+/// Flags of the subcommand render, in types that need no OpenGL.
 struct RenderFlags {
   std::string input, output;
   int zone = 0;
@@ -33,8 +33,8 @@ struct RenderFlags {
   std::optional<std::array<double, 4>> bounds;
   std::optional<std::array<double, 2>> range, percentiles;
   std::array<int, 2> size{1200, 900};
-  std::string before;          // mesh to put beside
-  std::string recipe, frames;  // frames of what the recipe does
+  std::string before;          // mesh to draw beside the input
+  std::string recipe, frames;  // frames that show the recipe
   int per_command = 0, rate = 20;
   int turntable = 0;  // frames of a turn; 0: none
   std::vector<Index> vcvs;
@@ -42,28 +42,26 @@ struct RenderFlags {
   VolumeFlags volume;
 };
 
-/// What --color says where elements are to have no colours.
+/// Value of --color for elements without colours.
 inline constexpr const char* no_color = "none";
 
-/// Declares the options that pictures of volume meshes alone have.
+/// Declares the flags that only pictures of volume meshes have.
 void add_volume_flags(CLI::App& app, VolumeFlags& flags);
-/// Throws UsageError for options that the mesh's kind does not have, were they given, and for
-/// numbers that make no picture.
+/// Throws UsageError for given flags that do not apply to the mesh's kind, and for invalid numbers.
 void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Topology& topology);
 
-/// Draws a volume mesh into flags.output, a PNG, SVG or PDF file; returns what to tell the user
-/// beside its name. Throws UsageError for another format.
+/// Draws a volume mesh into flags.output, a PNG, SVG or PDF file; returns a message for the user to
+/// add to its name. Throws UsageError for another format.
 std::string draw_volume(const RenderFlags& flags, const Mesh& mesh);
-/// The same of two states side by side, seen alike, in one range of colours.
+/// Draws two states side by side, with the same view and the same range of colours.
 void draw_volumes(const RenderFlags& flags, const Mesh& before, const Mesh& after);
 /// Draws frames of a volume mesh while the view turns once around it; returns what to tell the
 /// user.
 std::string draw_turntable(const RenderFlags& flags, const Mesh& mesh);
-/// The same of the meshes on a recipe's way, as frames in flags.frames; returns what to tell the
-/// user.
+/// Draws the meshes of a recipe's steps as frames in flags.frames; returns a message for the user.
 std::string draw_volume_frames(const RenderFlags& flags, const std::vector<Mesh>& meshes);
 
-/// What the flags say of the colours of values.
+/// The colours of values that the flags choose.
 inline gui::ColorChoice color_choice(const RenderFlags& flags) {
   gui::ColorChoice choice;
   choice.map = flags.map;
@@ -74,7 +72,7 @@ inline gui::ColorChoice color_choice(const RenderFlags& flags) {
   return choice;
 }
 
-/// What pictures of the plane and of space are asked for alike.
+/// Options that pictures in the plane and in space share.
 template <class Options>
 Options common_options(const RenderFlags& flags) {
   Options options;
@@ -89,8 +87,8 @@ Options common_options(const RenderFlags& flags) {
   return options;
 }
 
-/// Writes frames of the meshes, one after the other, into flags.frames; returns what to tell the
-/// user. Throws OutputError, and what `draw` throws.
+/// Writes a frame of each mesh, in order, into flags.frames; returns a message for the user. Throws
+/// OutputError, and what `draw` throws.
 inline std::string record_frames(const RenderFlags& flags, const std::vector<Mesh>& meshes,
                                  const std::function<gui::Image(const Mesh&)>& draw) {
   gui::Recorder recorder;
@@ -108,7 +106,7 @@ inline std::string record_frames(const RenderFlags& flags, const std::vector<Mes
   }
 }
 
-/// Writes two pictures side by side: draw(title, whether it is the one before).
+/// Writes two pictures side by side: draw(title, true for the picture before the change).
 template <class Draw>
 void write_both(const RenderFlags& flags, const Draw& draw) {
   const std::string title = flags.title.empty() ? "" : flags.title + ": ";

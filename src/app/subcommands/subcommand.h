@@ -6,7 +6,7 @@
 
 namespace winslow::app {
 
-/// A command of the program: declares its options when it is made, and runs once they are parsed.
+/// A subcommand: the constructor declares its options; run() is called after they are parsed.
 class Subcommand {
  public:
   explicit Subcommand(CLI::App* app) : app_(app) {}
@@ -14,7 +14,7 @@ class Subcommand {
   Subcommand(const Subcommand&) = delete;
   Subcommand& operator=(const Subcommand&) = delete;
 
-  /// True if the user asked for it.
+  /// True if the user chose this subcommand.
   bool chosen() const { return app_->parsed(); }
   /// Throws the library's errors.
   virtual ExitCode run() = 0;
@@ -28,7 +28,7 @@ class Subcommand {
 
 using SubcommandList = std::vector<std::unique_ptr<Subcommand>>;
 
-/// All of them, in the order of the help.
+/// Makes all subcommands, in the order of the help.
 SubcommandList make_subcommands(CLI::App& program);
 
 std::unique_ptr<Subcommand> make_quality_subcommand(CLI::App& program);

@@ -7,10 +7,10 @@
 
 namespace winslow::io::cgns {
 
-/// Vertices of a structured zone: (i, j) from 1 on, i running fastest.
+/// Vertices of a structured zone: (i, j) from 1, i running fastest.
 struct Lattice {
   std::int64_t ni = 0, nj = 0;
-  std::vector<Index> node_of_vertex;  ///< vertices that a cut joins are one node
+  std::vector<Index> node_of_vertex;  ///< the two vertices of a closed cut share a node
   Index nodes = 0;
 
   bool has(std::int64_t i, std::int64_t j) const { return i >= 1 && i <= ni && j >= 1 && j <= nj; }
@@ -20,11 +20,11 @@ struct Lattice {
   Index node(std::int64_t i, std::int64_t j) const { return node_of_vertex[vertex(i, j)]; }
 };
 
-/// Numbers the nodes of a structured zone. Where it touches itself one to one (the cut of a C-grid
-/// or an O-grid: GridConnectivity1to1_t to the zone itself), both vertices of a pair become one
-/// node, if they are in one place (up to 1e-7 of the extent); else, and where the connection is
-/// periodic, the cut stays open. `joined`: names of the connections that were closed.
-/// x, y: of every vertex.
+/// Numbers the nodes of a structured zone. A zone that touches itself one to one (the cut of a
+/// C-grid or an O-grid: GridConnectivity1to1_t to the zone itself) is closed: the two vertices of a
+/// pair become one node if their places agree up to 1e-7 of the extent. Otherwise, and for a
+/// periodic connection, the cut stays open. `joined`: names of the connections that were closed. x,
+/// y: of every vertex.
 Lattice make_lattice(const NodeView& zone, const ZoneHead& head, const std::vector<double>& x,
                      const std::vector<double>& y, std::vector<std::string>& joined,
                      std::vector<std::string>& warnings);
@@ -32,7 +32,8 @@ Lattice make_lattice(const NodeView& zone, const ZoneHead& head, const std::vect
 /// The pairs of nodes of a one-to-one connection of the zone to itself.
 std::vector<PeriodicPair> lattice_pairs(const NodeView& connection, const Lattice& lattice);
 
-/// Adds the cells as quadrilaterals, i running fastest, all turned if (i, j) is left-handed.
+/// Adds the cells as quadrilaterals, i running fastest. If (i, j) is left-handed, all are turned
+/// over.
 void add_cells(const Lattice& lattice, const std::vector<double>& x, const std::vector<double>& y,
                MeshData& mesh);
 

@@ -4,9 +4,9 @@
 
 #include "io/text/source.h"
 
-/// CGNS files as what they are: trees of named, labelled nodes with data ("CGNS File Mapping
-/// Manual"). What the nodes mean is said by the SIDS, "CGNS Standard Interface Data Structures",
-/// and read from the tree in the other files of this folder. Knows no library.
+/// The tree of a CGNS file: named, labelled nodes with data ("CGNS File Mapping Manual"). The SIDS,
+/// "CGNS Standard Interface Data Structures", define what the nodes mean; the other files of this
+/// folder interpret them. This header needs no library.
 namespace winslow::io::cgns {
 
 struct Node;
@@ -18,16 +18,16 @@ struct Node {
   std::string label;
   std::string type = "MT";         ///< "MT" (no data), "C1", "I4", "I8", "R4", "R8", ..., "LK"
   std::vector<std::int64_t> dims;  ///< the first index runs fastest
-  std::string data;                ///< as many values as dims say, as they lie in memory
+  std::string data;                ///< the values, as many as dims say, in their memory layout
   std::vector<NodePtr> children;
 
-  // Of a link ("LK"), which has none of the above but a name:
-  std::string link_file;             ///< empty: to a node of this file
+  // For a link ("LK") only, which of the above has only a name:
+  std::string link_file;             ///< empty: the link leads to a node of this file
   std::string link_path;             ///< "/Base/Zone/..."
-  std::weak_ptr<const Node> target;  ///< where that is in this file, once linked
+  std::weak_ptr<const Node> target;  ///< the node at that path in this file, once resolved
 
   bool is_link() const { return type == "LK"; }
-  /// The node that a link leads to; itself, if it is none or leads nowhere in this file.
+  /// The node that a link leads to; this node, if it is no link or leads nowhere in this file.
   const Node& content() const;
 };
 
@@ -47,13 +47,13 @@ std::vector<std::int64_t> integers_of(const Node& node);
 /// Values of a node of type C1, without blanks at the end; empty for other types.
 std::string text_of(const Node& node);
 
-/// Has the links of a new tree, which are given, know their targets in it.
+/// Sets the targets of the given links of a new tree.
 void resolve_links(const NodePtr& root, const std::vector<std::shared_ptr<Node>>& links);
 
-// What trees are made of.
+// Functions that make nodes.
 std::shared_ptr<Node> make_node(std::string name, std::string label);
 std::shared_ptr<Node> make_text(std::string name, std::string label, std::string_view text);
-/// dims empty: one dimension, as long as the values are many.
+/// Empty dims: one dimension, the number of values.
 std::shared_ptr<Node> make_integers(std::string name, std::string label,
                                     const std::vector<std::int32_t>& values,
                                     std::vector<std::int64_t> dims = {});
@@ -64,14 +64,14 @@ std::shared_ptr<Node> make_single_reals(std::string name, std::string label,
                                         const std::vector<float>& values,
                                         std::vector<std::int64_t> dims = {});
 
-/// A copy of a node to change; of a link, of the node that it leads to, by the name of the link.
+/// A copy of a node that may be changed. For a link: a copy of its target, named like the link.
 std::shared_ptr<Node> own_copy(const Node& node);
 
-/// A copy in which one child stands in the place of another; null: in which it is left out.
+/// A copy in which new_child replaces old_child; if new_child is null, old_child is left out.
 std::shared_ptr<Node> with_child(const Node& parent, const Node& old_child, NodePtr new_child);
 
-/// A node of a tree and where in the file it is, as readers walk over it. Links within the file are
-/// followed. The source and the tree have to outlive it.
+/// A node of a tree and its path in the file, for readers. Follows links within the file. The
+/// source and the tree must outlive the view.
 class NodeView {
  public:
   NodeView(Source& source, const NodePtr& root) : source_(&source), node_(root.get()) {}
@@ -86,8 +86,8 @@ class NodeView {
   std::string file() const { return source_->name(); }
   Source& source() const { return *source_; }
 
-  /// In the order of the file. Throws InputError for a link that leads out of the file: what is
-  /// behind it would be missing.
+  /// Children in the order of the file. Throws InputError for a link that leads out of the file,
+  /// because its target would be missing.
   std::vector<NodeView> children() const;
   std::vector<NodeView> children(std::string_view label) const;
   std::optional<NodeView> child(std::string_view name) const;
@@ -103,7 +103,7 @@ class NodeView {
 
   /// Throws InputError "FILE: /Base/Zone/...: found FOUND, expected EXPECTED".
   [[noreturn]] void fail(const std::string& found, const std::string& expected) const;
-  /// Has places in messages of the source named by this node.
+  /// From now on, messages of the source name this node as the place.
   void set_part() const { source_->set_part(path_.empty() ? "/" : path_); }
 
  private:
@@ -120,18 +120,19 @@ struct TreeFile {
   Container container = Container::hdf5;
 };
 
-/// By the signature at the beginning of a file, which in HDF5 may follow 512, 1024, 2048, ... bytes
-/// of the user's own; nothing: it is neither.
+/// Finds the container by the signature at the beginning of a file (in HDF5 it may come after 512,
+/// 1024, 2048, ... bytes of user data). Returns nothing if it is neither.
 std::optional<Container> container_of(std::string_view bytes);
 
-/// Reads the whole tree, by libcgns. One thread at a time, for libcgns can do no more; others wait.
-/// Throws InputError for what libcgns cannot read, and for data that the file is too small for.
+/// Reads the whole tree with libcgns, which is not thread-safe: other threads wait. Throws
+/// InputError for what libcgns cannot read, and if the file is too small for the data that it
+/// declares.
 TreeFile read_tree(Source& source);
 
 /// The bytes of a file that holds the tree. Throws OutputError.
 std::string write_tree(const Node& root, Container container);
 
-/// Why there is none of this in this build of the program; empty: there is.
+/// Why this build of the program has no CGNS support; empty: it has.
 extern const std::string_view no_library;
 
 }  // namespace winslow::io::cgns

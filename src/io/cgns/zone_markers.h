@@ -8,8 +8,8 @@
 
 namespace winslow::io::cgns {
 
-/// What a boundary condition or an interface covers (PointRange, PointList, ElementRange,
-/// ElementList, GridLocation).
+/// The points or elements that a boundary condition or an interface covers (PointRange, PointList,
+/// ElementRange, ElementList, GridLocation).
 struct PointSet {
   NodeView view;
   bool range = false;
@@ -17,7 +17,7 @@ struct PointSet {
   std::string location;   ///< "Vertex", "EdgeCenter", ...; empty: the file says none
   std::vector<std::int64_t> values;
 
-  /// Calls `visit` for every number of a set with one index: of a range in ascending order.
+  /// Calls `visit` for every number of a set with one index; numbers of a range in ascending order.
   template <class Visit>
   void for_each_number(Visit visit) const {
     if (!range) {
@@ -34,15 +34,15 @@ struct PointSet {
   bool of_vertices() const { return !elements && (location.empty() || location == "Vertex"); }
 };
 
-/// indices: index directions of the zone. Nothing, if the node has no point set.
+/// indices: index directions of the zone. Returns nothing if the node has no point set.
 std::optional<PointSet> read_point_set(const NodeView& owner, std::size_t indices);
 
-/// The boundary edges of a zone, as point sets name them.
+/// Finds the boundary edges of a zone that point sets name.
 class ZoneBoundary {
  public:
   virtual ~ZoneBoundary() = default;
   /// Throws InputError for numbers that the zone does not have. Adds a sentence to `warnings` for
-  /// what is no edge.
+  /// entries that are no edges.
   virtual std::vector<Face> faces_of(const PointSet& set,
                                      std::vector<std::string>& warnings) const = 0;
 };
@@ -56,43 +56,43 @@ class BoundaryByNodes {
 
  private:
   const MeshData& mesh_;
-  mutable std::vector<Face> boundary_;  // found when first asked for
+  mutable std::vector<Face> boundary_;  // computed at the first call
   mutable bool found_ = false;
 };
 
 /// Makes the markers of a zone, in this order:
 ///
-/// - from its boundary conditions (BC_t), named by their family (FamilyName) if they have one; else
-///   by the section of lines that they cover whole, if they do, as SU2 names them; else by
-///   themselves. Those of one name are one marker;
-/// - from its interfaces (GridConnectivity_t, GridConnectivity1to1_t) but those of `joined`: their
-///   edges that are in no marker yet;
+/// - from its boundary conditions (BC_t), named by the family (FamilyName) if there is one; else by
+///   the section of lines that the condition covers whole, as SU2 names them; else by the
+///   condition. Conditions of the same name become one marker;
+/// - from its interfaces (GridConnectivity_t, GridConnectivity1to1_t), except those in `joined`:
+///   their edges that are in no marker yet;
 /// - from the sections of lines: their lines that are in no marker yet, named by the section.
 void make_markers(const NodeView& zone, const ZoneHead& head, const ZoneBoundary& boundary,
                   const ZoneSides& sides, const std::vector<std::string>& joined, ParsedMesh& mesh,
                   Details& details);
 
-/// Makes regions of the parts of an unstructured zone that name cells (ZoneSubRegion_t with
-/// GridLocation CellCenter). An element has one region, the first that names it.
+/// Makes regions from the parts of an unstructured zone that name cells (ZoneSubRegion_t with
+/// GridLocation CellCenter). An element belongs to the first region that names it.
 void read_regions(const NodeView& zone, const ElementNumbers& numbers, MeshData& mesh,
                   std::vector<std::string>& warnings);
 
-/// What the zone has in common with others or itself: GridConnectivity_t, GridConnectivity1to1_t.
+/// Connections of the zone to other zones or to itself: GridConnectivity_t, GridConnectivity1to1_t.
 std::vector<NodeView> connections_of(const NodeView& zone);
 /// True for a connection with Periodic_t.
 bool is_periodic(const NodeView& connection);
-/// The zone that a connection leads to is this one: "Zone" or "Base/Zone".
+/// True if a connection leads to this zone, given as "Zone" or "Base/Zone".
 bool leads_to(const NodeView& connection, const std::string& zone);
 
-/// Pairs of nodes that a connection names vertex by vertex; empty: it does not.
+/// Pairs of nodes that a connection lists vertex by vertex; empty if it lists none.
 using VertexPairs = std::function<std::vector<PeriodicPair>(const NodeView& connection)>;
-/// Of an unstructured zone: PointList, PointListDonor and the like at vertices.
+/// listed_pairs() of an unstructured zone: PointList, PointListDonor and the like at vertices.
 std::vector<PeriodicPair> listed_pairs(const NodeView& connection, std::int64_t vertices);
 
 /// Periodic sides of the zone: its connections to itself with Periodic_t, as pairs of the markers
-/// that lie on their sides. Where a connection names no pairs of vertices but faces, these are
-/// matched by what Periodic_t says of rotation and translation. One that cannot be used is a
-/// sentence in `warnings`.
+/// on both sides. If a connection names faces instead of pairs of vertices, the rotation and
+/// translation of Periodic_t match them. Adds a sentence to `warnings` for a connection that cannot
+/// be used.
 std::vector<GivenPairs> periodic_pairs(const NodeView& zone, const ZoneHead& head,
                                        const ZoneBoundary& boundary, const VertexPairs& pairs_of,
                                        const MeshData& mesh, std::vector<std::string>& warnings);

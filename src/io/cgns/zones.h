@@ -11,15 +11,14 @@ struct ZonePlace {
   NodeView base, zone;
 };
 
-/// All zones of a file; zone N of the program is the N-th of them. Bases come in the order of the
-/// file, the zones of each by name, as libcgns counts them for every program that uses it. Throws
-/// InputError if there is none.
+/// All zones of a file; users call the N-th of them zone N. Bases are in the order of the file, the
+/// zones of a base sorted by name, as libcgns counts them. Throws InputError if there is none.
 std::vector<ZonePlace> find_zones(const NodeView& root);
 
 /// Place of a zone in the list; 0: the first. Throws UsageError if there is none of that number.
 std::size_t choose_zone(const std::vector<ZonePlace>& zones, int number);
 
-/// What a zone says of itself (Zone_t, ZoneType_t).
+/// Sizes and type of a zone (Zone_t, ZoneType_t).
 struct ZoneHead {
   int cell_dimension = 2;      ///< of the base
   int physical_dimension = 2;  ///< of the base
@@ -29,34 +28,34 @@ struct ZoneHead {
   std::int64_t vertex_count = 0;
 };
 
-/// Throws InputError for a structured zone of three dimensions and for numbers that make no sense.
+/// Throws InputError for a structured zone of three dimensions and for impossible sizes.
 ZoneHead read_head(const ZonePlace& place);
 
-/// The grid of a zone that winslow works on: the node called GridCoordinates. Throws InputError if
+/// The grid that winslow reads from a zone: the node called GridCoordinates. Throws InputError if
 /// there is none, or if it has rind planes.
 NodeView find_grid(const NodeView& zone);
 
-/// The node CoordinateX (0), CoordinateY (1) or CoordinateZ (2) of a grid, if it has it.
+/// The node CoordinateX (0), CoordinateY (1) or CoordinateZ (2) of a grid, if it exists.
 std::optional<NodeView> coordinate_node(const NodeView& grid, std::size_t direction);
 
 /// x, y, z of every vertex; z is empty where the file has none.
 struct VertexPlaces {
   std::array<std::vector<double>, 3> of;
 };
-/// Throws InputError: coordinates of another kind, of another number than there are vertices, or
-/// not finite.
+/// Reads the coordinates. Throws InputError if their type is not real, if their number is not that
+/// of the vertices, or if one is not finite.
 VertexPlaces read_places(const NodeView& grid, const ZoneHead& head);
 
 /// Numbers of the element types that readers and writers treat apart (ElementType_t of the SIDS).
 enum : std::int64_t { node_element = 2, bar_2 = 3, mixed = 20, ngon_n = 22, nface_n = 23 };
 
-/// "QUAD_4"; "type 99" for a number that means nothing.
+/// The name of an element type: "QUAD_4"; "type 99" for an undefined number.
 std::string element_name(std::int64_t type);
-/// The element of ours that a type of CGNS is, if it is one: TRI_3, ..., HEXA_8.
+/// Our element type for one of CGNS (TRI_3, ..., HEXA_8); nothing for other types.
 std::optional<ElementType> element_of(std::int64_t type);
 std::int64_t element_number(ElementType type);
-/// " (second or higher order)" and the like: why a type is none of ours in a mesh of cells of that
-/// dimension; may be empty.
+/// Why a mesh of that cell dimension cannot hold a type: " (second or higher order)" and the like;
+/// may be empty.
 std::string element_hint(std::int64_t type, int cell_dimension);
 
 /// What an element of a zone is, by its number.
@@ -75,17 +74,18 @@ class ElementNumbers {
 
   struct Range {
     std::int64_t first, last;
-    std::vector<ElementPlace> places;  ///< of each number; one alone: of the first, others follow
+    std::vector<ElementPlace> places;  ///< of each number; if only one: of the first, with
+                                       ///< consecutive ones after it
   };
-  /// In ascending order. Places that follow one another are kept as one.
+  /// Ranges must be added in ascending order. Consecutive places are stored as one.
   void add(Range range);
 
  private:
   std::vector<Range> ranges_;
 };
 
-/// The elements of one dimension less than the cells, lines or triangles and quadrilaterals: what
-/// markers are made of.
+/// The elements of one dimension less than the cells: lines, or triangles and quadrilaterals.
+/// Markers are made of them.
 struct ZoneSides {
   struct Section {
     std::string name;
@@ -97,8 +97,8 @@ struct ZoneSides {
 };
 
 /// Reads all sections (Elements_t), in the order of their element numbers: cells into the mesh,
-/// sides into the result, elements of fewer dimensions not at all. Throws InputError for elements
-/// of other kinds, naming them.
+/// sides into the result. Skips elements of lower dimension. Throws InputError with the names of
+/// unsupported element types.
 ZoneSides read_sections(const NodeView& zone, const ZoneHead& head, MeshData& mesh);
 
 }  // namespace winslow::io::cgns

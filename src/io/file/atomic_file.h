@@ -10,11 +10,11 @@
 
 namespace winslow::io {
 
-/// A folder of our own for libraries that want the name of a file: nobody else may look into it,
-/// and it is gone with all that is in it when this object is.
+/// A private temporary folder, for libraries that need a file name. Only this user can read it; the
+/// destructor deletes the folder and its content.
 class TemporaryFolder {
  public:
-  /// Throws OutputError where it cannot be made.
+  /// Throws OutputError if the folder cannot be made.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
@@ -27,19 +27,18 @@ class TemporaryFolder {
 };
 
 /// Writes a file whole or not at all: `write` fills a temporary file in the same folder, which is
-/// then flushed and renamed to `path`. Throws OutputError; the temporary file is gone then, as it
-/// is when `write` throws, and one that a killed program left is removed by the next write of the
-/// same name. A symbolic link is followed and a target's permissions are kept. A file called
-/// "....gz" is compressed.
+/// then flushed and renamed to `path`. Throws OutputError. The temporary file is removed on any
+/// error; one left by a killed program is removed by the next write of the same name. Follows a
+/// symbolic link and keeps the target's permissions. Compresses a file called "....gz".
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(std::ostream&)>& write);
 
 struct OutputFile {
   std::filesystem::path path;
   std::function<void(std::ostream&)> write;
-  std::filesystem::path replaces = {};  ///< another file that is removed, if it is there
+  std::filesystem::path replaces = {};  ///< another file to remove, if it exists
 };
-/// The same for files that belong together: none takes its place before all are written.
+/// The same for files that belong together: all are written before the first is renamed.
 void write_atomically(std::span<const OutputFile> files);
 
 }  // namespace winslow::io

@@ -9,13 +9,13 @@
 
 namespace winslow::io {
 
-/// "mesh.su2.gz": the extension says that a file is to be compressed.
+/// True if the extension asks for compression: "mesh.su2.gz".
 bool is_gzip_name(const std::filesystem::path& path);
-/// The content of a file says that it is compressed.
+/// True if the content of a file is compressed.
 bool is_gzip(std::string_view bytes);
 
-/// What a compressed file holds; `name` for messages. Throws InputError where it is damaged, ends
-/// early, or would grow beyond what a mesh can shrink to.
+/// Decompresses a file; `name` is for messages. Throws InputError if the file is damaged, ends
+/// early, or would grow by more than any mesh can be compressed.
 std::string gunzip(std::string_view bytes, const std::string& name);
 
 /// Compresses what is written to it and passes it on to another buffer.
@@ -26,7 +26,7 @@ class GzipBuffer : public std::streambuf {
   GzipBuffer(const GzipBuffer&) = delete;
   GzipBuffer& operator=(const GzipBuffer&) = delete;
 
-  /// Writes the end of the compressed data. False if the target took not all of it.
+  /// Writes the end of the compressed data. False if the target did not accept all of it.
   bool finish();
 
  protected:

@@ -5,7 +5,7 @@
 #include "core/geometry/periodic_pairs.h"
 #include "core/mesh/mesh.h"
 
-/// A mesh goes back into its file as it came, but for the coordinates:
+/// Writing a mesh back changes only the coordinates of its file:
 ///
 ///     const winslow::io::MeshFile file = winslow::io::read_mesh("wing.cgns");
 ///     winslow::MeshState state = winslow::make_state(file.mesh);
@@ -18,18 +18,18 @@ namespace winslow::io {
 struct MeshFormat;     // io/format/mesh_format.h
 class PlanePlacement;  // io/format/mesh_in_space.h
 
-/// What a format can hold beyond a Mesh (version, entity and node tags, order of blocks, ...):
-/// kept from reading to writing so that a file in the same format comes back unchanged but for the
-/// coordinates. Each format derives its own.
+/// What a file says beyond a Mesh (version, entity and node tags, order of blocks, ...). Kept from
+/// reading to writing, so that in a file of the same format only the coordinates change. Each
+/// format derives its own class.
 struct FormatDetails {
   virtual ~FormatDetails() = default;
   const MeshFormat* format = nullptr;  ///< of the source
   bool binary = false;                 ///< the source was binary
   std::vector<double> plane_z;         ///< z of each node, or one for all; empty: 0
-  /// Where a plane other than z = constant lies; null: z is constant.
+  /// The plane of a mesh whose z is not constant; null: z is constant.
   std::shared_ptr<PlanePlacement> plane;
   Index nodes = 0, elements = 0;  ///< sizes of the mesh that was read
-  std::vector<int> zones;         ///< numbers of all zones of the file; empty: it has none
+  std::vector<int> zones;         ///< numbers of all zones of the file; empty: no zones
   int zone = 0;                   ///< the one that was read
   /// What the file says of periodic sides; null for details that came from no file.
   std::shared_ptr<GivenPeriodicity> periodic;
@@ -52,25 +52,25 @@ struct ReadOptions {
   int zone = 0;  ///< number of the zone to read, of formats that have zones; 0: the first
 };
 
-/// Reads a mesh. The format is found by content (a warning, if the extension says otherwise), or by
-/// extension where the content tells nothing. Throws InputError "FILE:LINE: ..." / "FILE: byte N:
-/// ...": never crashes on any content, and never allocates more than the file's size justifies.
-/// Throws UsageError for a zone that the file does not have.
+/// Reads a mesh. The content decides the format (with a warning if the extension disagrees); the
+/// extension decides if the content is not conclusive. Throws InputError "FILE:LINE: ..." / "FILE:
+/// byte N: ...". Never crashes on any content, and never allocates more than the file's size
+/// justifies. Throws UsageError for a zone that the file does not have.
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 struct WriteOptions {
   const MeshFormat* format = nullptr;  ///< null: by the extension of the path
-  bool binary = false;                 ///< binary instead of text, where the format has it
-  bool keep_encoding = true;  ///< binary also where the source is binary and of this format
-  std::string gmsh_version;   ///< "2.2" or "4.1"; empty: that of the source, else 4.1
+  bool binary = false;                 ///< binary instead of text, if the format has it
+  bool keep_encoding = true;           ///< binary also if the source is binary and of this format
+  std::string gmsh_version;            ///< "2.2" or "4.1"; empty: that of the source, else 4.1
   /// "hdf5" or "adf"; empty: that of the source, else HDF5.
   std::string cgns_container = {};
-  bool zone_alone = false;  ///< of a file of several zones: write none but the one that was read
+  bool zone_alone = false;  ///< for a file of several zones: write only the one that was read
 };
 
-/// Writes a mesh to a temporary name beside `path` and renames it. `details` of another format, or
-/// null, are ignored as far as they do not apply. Returns warnings (markers lost, ...).
-/// Throws OutputError (the target is then as it was) and UsageError (unknown extension).
+/// Writes a mesh to a temporary file beside `path` and renames it. `details` may be null or of
+/// another format; what does not apply is ignored. Returns warnings (markers lost, ...). Throws
+/// OutputError (the target is then as it was) and UsageError (unknown extension).
 std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mesh& mesh,
                                     const FormatDetails* details, const WriteOptions& options = {});
 
@@ -85,10 +85,10 @@ struct MeshZone {
 std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
                                           std::span<const MeshZone> zones,
                                           const WriteOptions& options = {});
-/// A sentence that says which of the file's zones was read, if it has others; else nothing.
+/// A sentence that says which zone was read, if the file has others; else empty.
 std::vector<std::string> zones_left(const FormatDetails* details,
                                     const std::filesystem::path& path);
-/// True if all zones of the file that the details belong to can go into a file of that name.
+/// True if a file of that name can hold all zones of the file that the details belong to.
 bool keeps_zones(const std::filesystem::path& path, const FormatDetails& details);
 
 }  // namespace winslow::io

@@ -8,17 +8,16 @@
 
 namespace winslow::io {
 
-/// Where in space a plane mesh lies whose plane is not z = constant.
+/// The plane of a plane mesh in space, if it is not z = constant.
 ///
 /// In-plane coordinates are (u . p, v . p) of a point p, with unit vectors u and v at right angles.
-/// They depend on the plane alone, so that numbers that a user types mean the same for every mesh
-/// in it: (x, z) for y = constant, (y, z) for x = constant. For a tilted plane the first axis is
-/// the projection of the x-axis (of the y-axis, where the plane is steepest against x), and the
-/// normal n = u x v has a positive component along z, a negative one along y, or a positive one
-/// along x, whichever is the largest.
+/// They depend only on the plane, so that a user's numbers mean the same for every mesh in it: (x,
+/// z) for y = constant, (y, z) for x = constant. For a tilted plane the first axis is the
+/// projection of the x-axis (of the y-axis, where the plane is steepest against x). The largest
+/// component of the normal n = u x v is positive if along z or x, negative if along y.
 class PlanePlacement {
  public:
-  /// The plane of points: x, y, z of one after the other, all finite. None if one of them is
+  /// Finds the plane of points (x, y, z of each in turn, all finite). Returns nothing if a point is
   /// farther from it than 1e-9 of the extent.
   static std::optional<PlanePlacement> find(const std::vector<double>& xyz);
 
@@ -28,20 +27,20 @@ class PlanePlacement {
 
   /// Number of points.
   Index size() const { return static_cast<Index>(xyz_.size() / 3); }
-  /// In-plane coordinates of a point that it was found by.
+  /// In-plane coordinates of one of the points given to find().
   Vec2 in_plane(Index point) const;
-  /// A point of in-plane coordinates p. One of those that the plane was found by, where p are its
-  /// coordinates: bit by bit as it was; elsewhere it keeps its distance from the plane (round-off),
-  /// and others have that of the first point.
+  /// The position in space of in-plane coordinates p. If p are unchanged coordinates of a point
+  /// given to find(), returns that point bit by bit. If p differ, the point keeps its distance from
+  /// the plane (round-off); other points have that of the first point.
   Vec3 in_space(Index point, const Vec2& p) const;
 
-  /// "(x, z)" or "along (0.6, 0.8, 0) and (0, 0, 1)": what in-plane coordinates are.
+  /// Describes the in-plane axes: "(x, z)" or "along (0.6, 0.8, 0) and (0, 0, 1)".
   std::string axes_text() const;
   /// "the plane y = 0.5", "the plane 0.6 x + 0.8 z = 2".
   std::string plane_text() const;
 
-  /// Elements of the file go round the other way than seen against n: they are turned in memory,
-  /// and back when the mesh is written.
+  /// True if the file's elements are clockwise seen against n. They are reversed in memory, and
+  /// again when the mesh is written.
   bool from_behind = false;
 
  private:
@@ -68,16 +67,16 @@ struct FileCorners {
   const Index* end() const { return nodes.data() + count; }
 };
 
-/// A plane mesh where its file had it, or a volume mesh as it is: what formats with three
-/// coordinates write.
+/// The mesh that formats with three coordinates write: a plane mesh in the plane of its file, or a
+/// volume mesh unchanged.
 class MeshInSpace {
  public:
-  /// details: null for a mesh of the plane z = 0. Both have to outlive this.
+  /// details: null for a mesh of the plane z = 0. Both must outlive this object.
   MeshInSpace(const Mesh& mesh, const FormatDetails* details) : mesh_(mesh), details_(details) {}
 
   Vec3 node(Index i) const;
   FileCorners element(Index e) const;
-  /// Of a plane mesh: against which elements go round counter-clockwise; a unit vector.
+  /// For a plane mesh: the unit normal against which elements are seen counter-clockwise.
   Vec3 normal() const;
 
  private:
@@ -85,15 +84,15 @@ class MeshInSpace {
   const FormatDetails* details_;
 };
 
-/// Where a node is: of a plane mesh, where the file had its plane.
+/// Position of a node in space; for a plane mesh, in the plane of its file.
 Vec3 place_in_space(const FormatDetails* details, const Coordinates& x, Index node);
 
-/// How many coordinates a file of the mesh needs: three of a mesh in space, and of a plane one that
-/// does not lie in z = 0.
+/// Number of coordinates that a file of the mesh needs: three for a mesh in space and for a plane
+/// mesh outside z = 0, else two.
 int coordinates_in_file(const Mesh& mesh, const FormatDetails* details);
 
-/// Turns the corners of a prism, as ElementShape numbers them, into those of VTK's wedge, and back:
-/// its triangle 0 1 2 faces outwards.
+/// Turns the corners of a prism, as ElementShape numbers them, into those of VTK's wedge, and back.
+/// In VTK's wedge the triangle 0 1 2 faces outwards.
 inline void mirror_prism(std::span<Index> corners) {
   std::swap(corners[1], corners[2]);
   std::swap(corners[4], corners[5]);

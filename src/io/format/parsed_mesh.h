@@ -9,7 +9,7 @@
 
 namespace winslow::io {
 
-/// Where in the file each thing stands (byte offsets), so that an error found later can name it.
+/// Byte offset of each item in the file, so that errors found later can name the place.
 struct SourceMap {
   std::vector<std::size_t> nodes;
   std::vector<std::size_t> elements;
@@ -20,34 +20,33 @@ struct SourceMap {
 struct ParsedMesh {
   MeshData data;
   SourceMap where;
-  /// Never null; a format that has more to keep makes one of its own kind.
+  /// Never null; a format with more to keep sets an object of its own class.
   std::shared_ptr<FormatDetails> details = std::make_shared<FormatDetails>();
   std::vector<std::string> warnings;  ///< without the file's name
 };
 
 /// Sets the nodes' coordinates from x, y, z triples: x and y where z is constant, in-plane
-/// coordinates (and a warning that says so) in any other plane. Throws InputError for one that is
-/// not finite and for nodes that lie in no plane. Distances below 1e-9 of the extent count as
-/// noise; where the nodes were in space is kept in `details` and written back.
+/// coordinates (and a warning that says so) in any other plane. Throws InputError for a coordinate
+/// that is not finite and for nodes that lie in no plane. Distances below 1e-9 of the extent count
+/// as noise. `details` keeps the positions in space, to write them back.
 void set_planar_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh);
 
-/// Sets the nodes' coordinates in space, of a surface or volume mesh. Throws InputError for one
-/// that is not finite.
+/// Sets the nodes' coordinates in space, of a surface or volume mesh. Throws InputError for a
+/// coordinate that is not finite.
 void set_space_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh);
-/// set_space_nodes() if the elements have three dimensions or the nodes lie in no plane; else
-/// set_planar_nodes(). The elements must be known by now.
+/// Calls set_space_nodes() if the elements have three dimensions or the nodes lie in no plane; else
+/// set_planar_nodes(). The mesh must have its elements already.
 void set_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh);
 
-/// Turns all elements of a mesh in another plane than z = constant if they go round clockwise
-/// there: the file shows the plane from behind. Details say so, for the way back.
+/// Reverses all elements of a mesh outside z = constant if they are clockwise in its plane, as seen
+/// from behind. Records this in the details, so that writing reverses them again.
 void turn_to_viewer(ParsedMesh& mesh);
 
-/// Throws InputError "... not finite" at the first node that has a NaN or an infinity.
+/// Throws InputError "... not finite" at the first node with a NaN or an infinity.
 void check_finite(const Source& source, const ParsedMesh& mesh);
 
-/// Details of a format that mixes the faces of markers with other elements in one list: which
-/// elements of less than the mesh's dimension there are, in the order of the file, and which of
-/// them make up each marker.
+/// Details of a format that lists the faces of markers among the other elements: the elements of
+/// lower dimension than the mesh, in the order of the file, and those that make up each marker.
 struct BoundaryDetails : FormatDetails {
   std::vector<Index> points;  ///< node of each point element
   /// Nodes of each line element and, where the mesh has volumes, of each triangle and each
@@ -57,34 +56,36 @@ struct BoundaryDetails : FormatDetails {
   /// side (as Gmsh allows).
   std::vector<std::vector<Index>> marker_sides;
 
-  /// The face that an entry of marker_sides stands for.
+  /// The face of an entry of marker_sides.
   Face face(Index coded) const;
-  /// True if this still describes the mesh: as many nodes and elements, the same marker faces.
+  /// True if the details still fit the mesh: the same numbers of nodes and elements, the same
+  /// marker faces.
   bool fits(const Mesh& mesh) const;
 };
 
-/// Details of a format that holds markers as we do.
+/// Details of a format that holds markers as lists of faces, like Mesh.
 struct MarkerDetails : FormatDetails {
   std::vector<Marker> markers;  ///< as they were read
-  /// True if this still describes the mesh: as many nodes and elements, the same markers.
+  /// True if the details still fit the mesh: the same numbers of nodes and elements, the same
+  /// markers.
   bool fits(const Mesh& mesh) const;
 };
 
-/// "edge" or "face": what surrounds elements of that dimension, and markers are made of.
+/// Name of the sides of elements of that dimension, of which markers consist: "edge" or "face".
 constexpr const char* side_name(int cell_dimension) {
   constexpr std::array names{"", "", "edge", "face"};
   return names[at(cell_dimension)];
 }
-/// Whether a face is such a side: of one dimension less than the elements.
+/// True if a face is a side: of one dimension less than the elements.
 inline bool is_side(const Face& face, int cell_dimension) {
   const int dimension = face.size() == 2 ? 1 : 2;
   return dimension + 1 == cell_dimension;
 }
 
-/// Numbered groups of a file (physical groups, tagged cells): a name for every tag, no name twice.
+/// Numbered groups of a file (physical groups, tagged cells). Every tag has a unique name.
 class GroupIndex {
  public:
-  /// A group without a name of its own is called after `prefix` and its tag.
+  /// A group without a name gets `prefix` and its tag as its name.
   explicit GroupIndex(std::string prefix) : prefix_(std::move(prefix)) {}
 
   bool contains(int tag) const { return index_.contains(tag); }
@@ -100,14 +101,14 @@ class GroupIndex {
   std::vector<Region> groups_;
 };
 
-/// Notes that a side (coded as in BoundaryDetails::marker_sides), found at `offset` in the file,
-/// belongs to a marker.
+/// Records that a side (coded as in BoundaryDetails::marker_sides) at `offset` in the file belongs
+/// to a marker.
 void add_marker_side(std::size_t marker, Index side, std::size_t offset, BoundaryDetails& details,
                      ParsedMesh& mesh);
-/// Makes the markers of the mesh from the groups and from the sides that were noted.
+/// Makes the markers of the mesh from the groups and the recorded sides.
 void make_markers(const std::vector<Region>& groups, BoundaryDetails& details, ParsedMesh& mesh);
 
-/// Tags to write for groups: their own if those are positive and differ, else 1, 2, ...
+/// Tags to write for groups: the given ones if they are positive and unique, else 1, 2, ...
 std::vector<int> usable_tags(std::vector<int> tags, const char* what,
                              std::vector<std::string>& warnings);
 template <class Group>

@@ -6,30 +6,31 @@
 
 namespace winslow::io {
 
-/// Completes what a reader has found of periodic sides: whose mesh it is, and whether its nodes
-/// match. Pairs that do not get a fault, which says so.
+/// Completes the periodic sides that a reader has found: sets their mesh and checks that the nodes
+/// match. A pair whose nodes do not match gets a fault that says so.
 void settle_periodicity(FormatDetails& details, const Mesh& mesh, const std::string& file);
 
 /// "lower" and "upper", ...: the pairs of a file, each named once.
 std::string named_pairs(const GivenPeriodicity& periodicity);
 
-/// Sentences on pairs that matched in the file and do not match any more.
+/// Sentences about pairs that matched in the file but no longer match.
 std::vector<std::string> stale_pairs(const FormatDetails& details, const Mesh& mesh);
 
-/// For readers of formats that say how one periodic side is taken to the other.
+/// The functions below are for readers of formats that give the transformation between periodic
+/// sides.
 
-/// Of a file that says angles in radians about x, then y, then z, about a centre, and a translation
-/// after that.
+/// The transformation of a file that gives rotations about x, then y, then z (radians) about a
+/// centre, then a translation.
 RigidImage image_of(const Vec3& centre, const Vec3& angles, const Vec3& translation);
-/// What takes the image back.
+/// The inverse transformation.
 RigidImage inverse_of(const RigidImage& image);
 
 /// The nodes of some faces, ascending.
 std::vector<Index> nodes_of(std::span<const Face> faces);
 double shortest_edge(std::span<const Face> faces, const Coordinates& x);
 
-/// The node of the second side that an image takes each node of the first to, up to `near`; empty,
-/// if it takes one to none of them, or two to one.
+/// Pairs each node of the first side with the node of the second side at its image, up to `near`.
+/// Empty if a node has no partner or two nodes have the same one.
 std::vector<PeriodicPair> matched(const RigidImage& image, std::span<const Index> first,
                                   std::span<const Index> second, const Coordinates& x, double near);
 

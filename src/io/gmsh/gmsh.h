@@ -15,18 +15,19 @@ struct PhysicalName {
   std::string name;
 };
 
-/// By dimension: what an entity is called, and how many numbers of Entity::box a file has of it.
+/// Indexed by dimension: name of an entity, and how many numbers of Entity::box a file holds for
+/// it.
 constexpr std::array<const char*, 4> entity_names{"point", "curve", "surface", "volume"};
 constexpr std::array<std::size_t, 4> box_numbers{3, 6, 6, 6};
 
-/// Geometric entity of a 4.1 file. `box` is minimum x y z, maximum x y z; a point has its place
-/// in the first three.
+/// Geometric entity of a 4.1 file. `box` is minimum x y z, maximum x y z; for a point only the
+/// first three, its position.
 struct Entity {
   int tag = 0;
   std::array<double, 6> box{};
   std::vector<int> physicals;  ///< negative: of the reversed entity
   std::vector<int> boundary;   ///< tags of the entities around it, negative when reversed
-  /// Box around its nodes when the file was read, to see whether they have moved since.
+  /// Bounding box of its nodes when the file was read, to detect whether they have moved.
   std::optional<std::array<double, 6>> mesh_box;
 };
 
@@ -46,7 +47,7 @@ enum class Shape : std::uint8_t {
   prism,
   pyramid
 };
-/// What Gmsh says of a shape. Corners are numbered as ElementShape does.
+/// Gmsh's data of a shape. Corners are numbered as in ElementShape.
 struct ShapeInfo {
   int type;  ///< Gmsh's number
   int dimension;
@@ -56,21 +57,21 @@ const ShapeInfo& info_of(Shape shape);
 Shape element_shape(ElementType type);
 /// The shape of an element of a marker.
 Shape face_shape(const Face& face);
-/// Of a shape of dimension 2 or 3.
+/// The element type of a shape of dimension 2 or 3.
 ElementType element_of(Shape shape);
 
 /// One line of $Elements.
 struct Item {
   std::int64_t tag;
-  /// In Details::points, in Details::sides where its dimension is less than the mesh's; else the
-  /// element of the mesh.
+  /// Index into Details::points, or into Details::sides if the item's dimension is less than the
+  /// mesh's; else the element of the mesh.
   Index index;
   int entity;    ///< tag of the geometric entity
   int physical;  ///< 2.2 only (0: none)
   Shape shape;
 };
 
-/// One entry of $Periodic: an entity that is the image of another, its master.
+/// One entry of $Periodic: an entity and its master, of which it is the periodic image.
 struct PeriodicLink {
   int dimension = 0;
   int entity = 0, master = 0;
@@ -85,7 +86,7 @@ struct Details : BoundaryDetails {
   bool version_4 = true;
   struct Section {
     std::string name;  ///< "Nodes", ...
-    std::string raw;   ///< whole text of a section that we do not know; else empty
+    std::string raw;   ///< whole text of an unknown section; else empty
   };
   std::vector<Section> sections;  ///< all but $MeshFormat, in the order of the file
   std::vector<PhysicalName> physical_names;
@@ -93,13 +94,13 @@ struct Details : BoundaryDetails {
   std::vector<NodeBlock> node_blocks;           ///< 4.1 only
   std::vector<std::int64_t> node_tags;          ///< empty: 1, 2, 3, ...
   std::vector<Item> items;
-  std::vector<PeriodicLink> links;  ///< what the raw text of $Periodic says
+  std::vector<PeriodicLink> links;  ///< parsed from the raw text of $Periodic
 
-  /// Nodes of an item that is a point or a side; empty: it is an element of the mesh.
+  /// Nodes of an item that is a point or a side; empty if the item is an element of the mesh.
   std::span<const Index> nodes_beside(const Item& item) const;
 };
 
-/// Boxes around the nodes of each entity (those in its node blocks and its elements), by dimension
+/// Bounding boxes of the nodes of each entity (in its node blocks and its elements), by dimension
 /// and in the order of `details.entities`; none for an entity without nodes.
 using EntityBoxes = std::array<std::vector<std::optional<std::array<double, 6>>>, 4>;
 EntityBoxes entity_boxes(const Details& details, const MeshData& data);
@@ -114,13 +115,13 @@ ParsedMesh read(Source& source);
 std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
                                const WriteOptions& options);
 
-/// Makes markers and regions of the physical groups. offsets: where each of Details::items begins
-/// in the file.
+/// Makes markers and regions from the physical groups. offsets: byte offset of each of
+/// Details::items.
 void collect_groups(std::span<const std::size_t> offsets, Details& details, ParsedMesh& mesh);
 
-/// Details for a mesh that came from another format: a curve (of a volume mesh a surface)
-/// entity per marker, a surface (volume) entity per region, all in one entity "domain" where there
-/// are no regions (Gmsh leaves elements without physical group out when it saves).
+/// Makes details for a mesh from another format: one curve entity per marker (surface entity in a
+/// volume mesh) and one surface (volume) entity per region. Without regions all elements are in one
+/// entity "domain", because Gmsh does not save elements without a physical group.
 Details make_details(const Mesh& mesh, bool version_4, std::vector<std::string>& warnings);
 
 }  // namespace winslow::io::gmsh

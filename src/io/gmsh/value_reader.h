@@ -8,7 +8,7 @@
 
 namespace winslow::io::gmsh {
 
-/// The numbers of a section, from text or from bytes: one parser serves both.
+/// Reads the numbers of a section from text or binary data, so that one parser serves both.
 class ValueReader {
  public:
   ValueReader(Scanner& scan, bool binary) : scan_(scan), binary_(binary) {}
@@ -39,7 +39,7 @@ class ValueReader {
   double real(const Expected& expected) {
     return binary_ ? read_bytes<double>(expected) : scan_.number(expected);
   }
-  /// A count of things of at least `text_bytes` (in text) or `binary_bytes` bytes each.
+  /// A count of items of at least `text_bytes` (in text) or `binary_bytes` bytes each.
   Index count(const Expected& expected, std::size_t text_bytes, std::size_t binary_bytes) {
     const std::size_t start = scan_.offset();
     const auto n = size(expected);
@@ -58,10 +58,10 @@ class ValueReader {
   bool binary_;
 };
 
-/// From node tags, which may have gaps and come in any order, to node indices.
+/// Maps node tags, which may have gaps and any order, to node indices.
 class NodeTags {
  public:
-  /// Returns the index of the first node whose tag an earlier node has, if there is one.
+  /// Returns the index of the first node whose tag is already used, if any.
   std::optional<Index> build(const std::vector<std::int64_t>& tags);
   /// -1 if no node has the tag.
   Index find(std::int64_t tag) const;
@@ -72,18 +72,19 @@ class NodeTags {
   std::unordered_map<std::int64_t, Index> sparse_;
 };
 
-/// Reads $Periodic. It is text in MSH 2, whatever the rest is.
+/// Reads $Periodic. In MSH 2 this section is text even in binary files.
 std::vector<PeriodicLink> read_links(Scanner& scan, bool version_4, bool binary);
 
-/// Pairs of markers: those whose entities the links of `details` join, which are of one dimension
-/// less than the elements. A link of entities in no physical group is none; one that joins a group
-/// in part is a pair with a fault. Nodes that are not in the file, of entities that Gmsh did not
-/// save, are left out.
+/// Makes pairs of markers from the links of `details` between entities of one dimension less than
+/// the elements. Links of entities in no physical group are ignored; a link that covers only part
+/// of a group becomes a pair with a fault. Nodes that are not in the file (of entities that Gmsh
+/// did not save) are left out.
 std::vector<GivenPairs> pairs_of(const Source& source, const Details& details, const NodeTags& tags,
                                  const MeshData& data);
 
-/// Links for the pairs of a mesh that has an entity for each marker, numbered from 1 on: those of a
-/// file of another version or format. Affine transforms are left out of a mesh in a plane of space.
+/// Makes links from the periodic pairs of a file of another version or format. The mesh must have
+/// one entity per marker, numbered from 1. For a mesh in a plane of space, affine transforms are
+/// left out.
 std::vector<PeriodicLink> links_of(const FormatDetails& source, const Mesh& mesh);
 
 }  // namespace winslow::io::gmsh

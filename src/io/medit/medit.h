@@ -5,9 +5,8 @@
 
 /// Medit's ASCII format (.mesh): P. Frey, "Medit: an interactive mesh visualization software",
 /// INRIA RT-0253 (2001), with the pyramids and prisms of libMeshb. Every entry ends in a reference:
-/// those of elements are tags of regions, those of the faces around them tags of markers, 0 stands
-/// for none. The format has no names; comments "# marker TAG NAME" and "# region TAG NAME" hold
-/// ours.
+/// the tag of the region for an element, the tag of the marker for a face, 0 for none. The format
+/// has no names; winslow writes them as comments "# marker TAG NAME" and "# region TAG NAME".
 namespace winslow::io::medit {
 
 /// A section of elements.
@@ -24,12 +23,12 @@ std::span<const Kind> kinds();
 struct Details : BoundaryDetails {
   struct Section {
     enum class Part { raw, dimension, vertices, cells } part;
-    std::string raw;             ///< bytes as they are: names, and what we do not know
+    std::string raw;             ///< unchanged bytes: names and unknown sections
     const Kind* kind = nullptr;  ///< of cells
-    bool elements = false;       ///< those of the mesh; else sides
-    Index first = 0, count = 0;  ///< among these
+    bool elements = false;       ///< true: elements of the mesh; false: sides
+    Index first = 0, count = 0;  ///< range among these elements or sides
   };
-  int version = 2;    ///< 1 is single precision to other programs
+  int version = 2;    ///< other programs read version 1 as single precision
   int dimension = 3;  ///< of the coordinates
   int cell_dimension = 3;
   std::vector<Section> sections;

@@ -6,16 +6,16 @@
 /// Meshes of OpenFOAM: the folder constant/polyMesh of a case, with the files points, faces, owner,
 /// neighbour and boundary; OpenFOAM User Guide, "Mesh description". ASCII, each file compressed or
 /// not. A path may be the folder, its case, or an (empty) file NAME.foam in the case, as ParaView
-/// wants one.
+/// needs it.
 namespace winslow::io::openfoam {
 
 /// In the order in which they are read.
 constexpr std::array<const char*, 5> file_names{"points", "faces", "owner", "neighbour",
                                                 "boundary"};
 
-/// What a mesh says beyond ours: its files, which stay as they are while nodes only move.
+/// The texts of the mesh's files. They are written back unchanged while nodes only move.
 struct Details : MarkerDetails {
-  std::array<std::string, 5> texts;  ///< of points only what is around the list
+  std::array<std::string, 5> texts;  ///< for points only the text before the list
   std::string points_end;
   bool compressed = false;
 };

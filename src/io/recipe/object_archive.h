@@ -9,7 +9,7 @@
 
 namespace winslow::io {
 
-/// A value in a JSON file that is not what it should be. what() starts with where it is
+/// An invalid value in a JSON file. what() starts with the path of the value
 /// ("commands[1].smooth.damping: found ..., expected ...").
 class JsonValueError : public InputError {
  public:
@@ -21,41 +21,43 @@ class JsonValueError : public InputError {
   std::string path_;
 };
 
-/// A JSON document that knows on which line each value stands.
+/// A JSON document with the line number of each value.
 struct JsonSource {
   nlohmann::json document;
   std::map<std::string, int> lines;  ///< by path, as in JsonValueError
 
-  /// Line of a value or, if the file does not have it, of the nearest thing around it.
+  /// Line of a value or, if the file does not have it, of the innermost enclosing value.
   int line_of(std::string path) const;
 };
 
-/// Parses strictly: no comments, no key twice in an object. Throws InputError "FILE:LINE: ...".
+/// Parses strictly: no comments, no duplicate keys in an object. Throws InputError "FILE:LINE:
+/// ...".
 JsonSource read_json(const std::filesystem::path& file);
 
 /// Throws JsonValueError "PATH: found ..., expected ...".
 [[noreturn]] void refuse(const nlohmann::json& found, const std::string& path,
                          const std::string& expected);
 
-/// Reads the fields of a JSON object strictly: types are checked, and finish() refuses keys that
-/// nobody asked for. A function that names all fields of a struct once serves both this and
-/// ObjectWriter, so what is written can be read.
+/// Reads the fields of a JSON object strictly: types are checked, and finish() rejects keys that
+/// were not read. One function that names all fields of a struct serves both ObjectReader and
+/// ObjectWriter, so that written files can be read.
 class ObjectReader {
  public:
-  /// path: where the object stands, as in JsonValueError. Throws JsonValueError if it is none.
+  /// path: path of the object, as in JsonValueError. Throws JsonValueError if the value is no
+  /// object.
   ObjectReader(const nlohmann::json& object, std::string path);
 
-  /// A field that may be missing; the value then stays as it is.
+  /// Reads an optional field; if it is missing, `value` is unchanged.
   template <class Value>
   void field(const char* key, Value& value) {
     if (const nlohmann::json* json = find(key)) read(*json, path_of(key), value);
   }
-  /// A field that must be there.
+  /// Reads a mandatory field.
   template <class Value>
   void required(const char* key, Value& value) {
     read(needed(key), path_of(key), value);
   }
-  /// An object within; `fields` is called with a reader of it.
+  /// Reads a nested object: calls `fields` with a reader of it.
   template <class Fields>
   void object(const char* key, const Fields& fields) {
     if (const nlohmann::json* json = find(key)) {
@@ -64,11 +66,11 @@ class ObjectReader {
       inner.finish();
     }
   }
-  /// Throws JsonValueError for a key that was not asked for.
+  /// Throws JsonValueError for a key that was not read.
   void finish() const;
 
   bool has(const char* key) const { return object_.contains(key); }
-  /// The raw value, null if it is missing; finish() knows its key from then on.
+  /// The raw value, null if it is missing. finish() then accepts the key.
   const nlohmann::json* find(const char* key);
   /// The raw value; throws JsonValueError if it is missing.
   const nlohmann::json& needed(const char* key);
@@ -92,7 +94,7 @@ class ObjectReader {
   std::vector<std::string> known_;
 };
 
-/// Writes the same fields.
+/// Writes the fields that ObjectReader reads.
 class ObjectWriter {
  public:
   template <class Value>
@@ -123,15 +125,15 @@ class ObjectWriter {
   nlohmann::json json_ = nlohmann::json::object();
 };
 
-/// A vector of two numbers or of three. Throws JsonValueError.
+/// Reads a vector of two or three numbers. Throws JsonValueError.
 GivenVector read_vector(const nlohmann::json& value, const std::string& path);
-/// As many numbers as it was given by; `otherwise` of them if the program found it.
+/// Writes as many numbers as the user gave; `otherwise` numbers if the program found the vector.
 nlohmann::json vector_json(const GivenVector& vector, int otherwise = 3);
 
-/// Reads the options of a table from the keys that it says; what is not there stays as it is, but
-/// for what is required. Throws JsonValueError for values of the wrong type or out of range.
+/// Reads the options of a table by their keys; missing options are unchanged. Throws JsonValueError
+/// for missing required options and for values of the wrong type or out of range.
 void read_options(ObjectReader& reader, const OptionTable& table);
-/// Writes all of them. What is not set is left out.
+/// Writes all options of a table except those that are not set.
 void write_options(ObjectWriter& writer, const OptionTable& table);
 
 }  // namespace winslow::io

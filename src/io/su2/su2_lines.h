@@ -7,7 +7,7 @@ namespace winslow::io::su2 {
 /// A line of an SU2 file: "KEY= value % comment", or data.
 struct Line {
   std::size_t offset = 0;  ///< of its first byte in the source
-  std::string_view bytes;  ///< all of it, with its end
+  std::string_view bytes;  ///< the whole line with its line end
   std::string_view text;   ///< without comment and blanks at both ends
   std::string_view key;    ///< empty: not a keyword line
   std::string_view value;
@@ -15,20 +15,20 @@ struct Line {
   bool blank() const { return text.empty(); }
 };
 
-/// Takes the words of a line one after the other.
+/// Splits a line into words.
 class LineWords {
  public:
   explicit LineWords(std::string_view text) : rest_(text) {}
-  /// Empty at the end of the line.
+  /// The next word; empty at the end of the line.
   std::string_view next();
-  /// What has not been taken yet, without blanks at both ends.
+  /// The text after the last word, without blanks at both ends.
   std::string_view rest() const { return trimmed(rest_); }
 
  private:
   std::string_view rest_;
 };
 
-/// Walks over the lines of a zone.
+/// Reads the lines of a zone one by one.
 class LineReader {
  public:
   LineReader(const Source& source, std::size_t begin, std::size_t end)
@@ -41,10 +41,11 @@ class LineReader {
   void back_to(const Line& line) { scan_.seek(line.offset); }
 
   Line next();
-  /// The next line that is neither blank nor a comment alone. Throws InputError at the end.
+  /// The next line with data (neither blank nor only a comment). Throws InputError at the end.
   Line next_data(const Expected& expected);
 
-  /// Throws "found <the word>, expected ..." at the word; an empty one is a line's end.
+  /// Throws "found <the word>, expected ..." at the word; an empty word stands for the end of the
+  /// line.
   [[noreturn]] void fail(std::string_view word, const std::string& expected) const {
     scan_.fail(word, expected);
   }
@@ -70,11 +71,11 @@ struct ZoneList {
   bool several = false;     ///< false: one zone, which is the whole file
 
   std::vector<int> numbers() const;
-  /// What stands before the first zone, then each zone.
+  /// The text before the first zone, then that of each zone.
   std::vector<std::string> blocks(const Source& source) const;
 };
 
-/// Throws InputError where NZONE= and IZONE= do not fit one another.
+/// Throws InputError if NZONE= and IZONE= contradict each other.
 ZoneList find_zones(const Source& source);
 
 /// Place of a zone in the list; 0: the first. Throws UsageError if there is none of that number.

@@ -3,22 +3,22 @@
 #include "io/format/parsed_mesh.h"
 #include "io/su2/su2_lines.h"
 
-/// Periodic boundaries as SU2 kept them in its mesh files up to version 6, written by SU2_MSH:
-/// transformations (NPERIODIC=) from receiving points to sending ones, and lists of these points
-/// (markers SEND_RECEIVE), in which a point that is received stands where its sender does. One list
-/// of a pair of markers holds the points of the one marker and their images on the other, the next
-/// one points of the interior and their images in halo elements beyond that.
+/// Periodic boundaries in mesh files of SU2 up to version 6, written by SU2_MSH: transformations
+/// (NPERIODIC=) from receiving to sending points, and lists of these points (markers SEND_RECEIVE).
+/// A sending and a receiving point have the same position in their lists. A pair of markers has a
+/// list of the points of one marker and their images on the other. A second list holds interior
+/// points and their images in halo elements beyond that.
 namespace winslow::io::su2 {
 
 class PeriodicSections {
  public:
-  /// Reads what follows the line NPERIODIC=, and returns at the first line after it.
+  /// Reads the lines after NPERIODIC=, and stops before the first line that does not belong to it.
   void read_transformations(LineReader& lines, const Line& count);
-  /// Reads a marker SEND_RECEIVE from its line MARKER_TAG= on, likewise.
+  /// Reads a marker SEND_RECEIVE from its line MARKER_TAG= in the same way.
   void read_list(LineReader& lines);
 
-  /// Pairs of the markers of a mesh. By the lists, if the file has any for a transformation; else
-  /// those markers that a transformation takes to one another. Throws InputError for points that
+  /// Finds pairs of markers of a mesh, from the lists of a transformation if the file has any; else
+  /// the markers that the transformation maps onto each other. Throws InputError for points that
   /// the mesh does not have, and for lists of different lengths.
   std::vector<GivenPairs> pairs_of(const Source& source, const MeshData& data) const;
 
@@ -51,8 +51,8 @@ class PeriodicSections {
   std::vector<List> lists_;
 };
 
-/// "MARKER_PERIODIC= ( lower, upper, 0, 0, 0, 0, 0, 0, 0, 1, 0 )", as the configuration file of SU2
-/// names sides that a transformation takes to one another.
+/// "MARKER_PERIODIC= ( lower, upper, 0, 0, 0, 0, 0, 0, 0, 1, 0 )", the line of SU2's configuration
+/// file for a pair of periodic sides.
 std::string configuration_line(const PeriodicPairs& pairs);
 
 }  // namespace winslow::io::su2

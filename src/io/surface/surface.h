@@ -6,25 +6,26 @@
 #include "io/format/mesh_format.h"
 #include "io/format/mesh_in_space.h"
 
-/// Formats made for surfaces in space: vertices and faces, no markers. (OpenMesh reads and writes
-/// them in single precision only, so it serves here as the check in the tests, not as the reader.)
+/// Formats for surfaces in space: vertices and faces, no markers. (OpenMesh reads and writes them
+/// only in single precision, so only the tests use it, as a check.)
 namespace winslow::io::surface {
 
 extern const MeshFormat obj_format, off_format, ply_format, stl_format;
 
-/// Collects vertices and faces as a reader meets them.
+/// Collects the vertices and faces that a reader finds.
 class Builder {
  public:
   explicit Builder(const Source& source) : source_(source) {
     mesh_.details = std::make_shared<FormatDetails>();
   }
   ParsedMesh& mesh() { return mesh_; }
-  /// Notes that the file holds what a mesh does not: "colours", "groups", ... Said once each.
+  /// Records content that a mesh cannot hold: "colours", "groups", ... One warning for each.
   void drops(const std::string& what) { dropped_.insert(what); }
   Index vertices() const { return static_cast<Index>(xyz_.size() / 3); }
 
   void add_vertex(double x, double y, double z, std::size_t offset);
-  /// Throws InputError if it is neither a triangle nor a quadrilateral. Vertices may follow later.
+  /// Throws InputError if the face is neither a triangle nor a quadrilateral. Its vertices may be
+  /// added later.
   void add_face(std::span<const Index> corners, std::size_t offset);
   /// Throws InputError if there is no face, or if a coordinate is not finite.
   ParsedMesh finish(bool binary = false);
@@ -36,23 +37,22 @@ class Builder {
   std::set<std::string> dropped_;
 };
 
-/// The polygons that a file of a mesh holds: the elements of a plane or surface mesh with all its
-/// nodes, or what bounds a volume mesh, seen from outside counter-clockwise, with the nodes there.
+/// The polygons to write: the elements of a plane or surface mesh with all its nodes, or the
+/// boundary faces of a volume mesh, counter-clockwise seen from outside, with their nodes.
 class WrittenSurface {
  public:
-  /// What they refer to has to outlive this; details may be null.
+  /// The arguments must outlive this object; details may be null.
   WrittenSurface(const Mesh& mesh, const FormatDetails* details);
 
   Index node_count() const { return static_cast<Index>(nodes_.size()); }
   Vec3 node(Index i) const { return space_.node(nodes_[static_cast<std::size_t>(i)]); }
   const std::vector<FileCorners>& faces() const { return faces_; }
-  /// Against which the triangle or quadrilateral goes round; a unit vector, or zero for one without
-  /// area.
+  /// Unit normal against which the face is counter-clockwise; zero for a face without area.
   Vec3 normal(const FileCorners& corners) const;
 
-  /// The faces of each marker of a volume mesh, one after the other, and of none; else one group.
+  /// Consecutive faces of a marker of a volume mesh, or of no marker; for other meshes all faces.
   struct Group {
-    std::string name;  ///< empty: of a plane or surface mesh
+    std::string name;  ///< empty for a plane or surface mesh
     std::size_t first, count;
   };
   const std::vector<Group>& groups() const { return groups_; }
@@ -67,7 +67,7 @@ class WrittenSurface {
   std::vector<Group> groups_;
 };
 
-/// Sentences about what a surface format cannot hold. keeps_groups: it has parts with names.
+/// Sentences about content that a surface format cannot hold. keeps_groups: it has named parts.
 std::vector<std::string> lost_in_surface(const Mesh& mesh, bool keeps_groups = false);
 
 }  // namespace winslow::io::surface

@@ -13,12 +13,11 @@
 
 namespace winslow::io {
 
-/// Integer that fills the whole text ("+7" is accepted); nothing if it is none or too large.
+/// Parses the whole text as an integer ("+7" is accepted); nothing if it is none or too large.
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
-/// Number that fills the whole text, to the nearest double, whatever the locale; "nan" and "inf"
-/// are numbers here, and so is Fortran's "1.5D+03". Too small becomes zero or subnormal, too large
-/// infinite.
+/// Parses the whole text as a number, rounded to the nearest double, in any locale. Accepts "nan",
+/// "inf" and Fortran's "1.5D+03". Underflow gives zero or a subnormal, overflow infinity.
 std::optional<double> parse_number(std::string_view text);
 
 /// parse_integer() or parse_number().
@@ -36,9 +35,9 @@ struct BinaryNumber {
   bool is_signed = false;
   std::size_t bytes = 0;
 };
-/// The number that so many bytes hold without a sign.
+/// The unsigned integer in `count` bytes.
 std::uint64_t unsigned_at(const char* bytes, std::size_t count, bool big_endian);
-/// A number of that kind.
+/// Reads a number of that kind.
 template <class Number>
 Number number_at(const char* bytes, const BinaryNumber& kind, bool big_endian) {
   const std::uint64_t raw = unsigned_at(bytes, kind.bytes, big_endian);
@@ -53,7 +52,7 @@ Number number_at(const char* bytes, const BinaryNumber& kind, bool big_endian) {
 void append_number(std::string& text, double value);
 void append_number(std::string& text, std::int64_t value);
 
-/// Buffers text on its way to a stream; numbers come out the same in every locale.
+/// Buffered output of text to a stream; numbers do not depend on the locale.
 class TextWriter {
  public:
   explicit TextWriter(std::ostream& out) : out_(out) { buffer_.reserve(capacity + 256); }
@@ -78,7 +77,7 @@ class TextWriter {
     }
     return drain();
   }
-  /// Bytes of a value as they lie in memory.
+  /// Writes the bytes of a value in their memory order.
   template <class Value>
   void raw(const Value& value) {
     static_assert(std::is_trivially_copyable_v<Value>);
@@ -86,7 +85,7 @@ class TextWriter {
     drain();
   }
 
-  /// The same in the order of bytes of a file.
+  /// The same in the given byte order.
   template <class Number>
   void raw(Number value, bool big_endian) {
     auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(value);

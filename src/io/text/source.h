@@ -9,17 +9,17 @@
 
 namespace winslow::io {
 
-/// The bytes of an input file, and how to name a place in it in an error message.
+/// The bytes of an input file. Names places in the file for error messages.
 class Source {
  public:
-  /// Reads a file whole; one that gzip compressed is unpacked, a byte order mark left out. Throws
-  /// InputError: no such file, a directory, not readable, empty.
+  /// Reads a whole file, decompresses gzip and removes a byte order mark. Throws InputError: no
+  /// such file, a directory, not readable, empty.
   static Source load(const std::filesystem::path& path);
   Source(std::string name, std::string bytes) : name_(std::move(name)), bytes_(std::move(bytes)) {}
 
   const std::string& name() const { return name_; }
-  /// Reads another file, as load() does, behind what there is: a mesh may be in several. Views into
-  /// text() are no longer good then.
+  /// Reads another file like load() and appends it, for meshes in several files. Invalidates views
+  /// into text().
   struct Range {
     std::size_t begin, end;
   };
@@ -30,10 +30,11 @@ class Source {
     return static_cast<std::size_t>(part.data() - bytes_.data());
   }
 
-  /// From this offset on the (first) file is binary: places are named by byte instead of by line.
+  /// Marks the (first) file as binary from this offset: places are then named by byte instead of by
+  /// line.
   void set_binary_from(std::size_t offset) { binary_from_ = offset; }
-  /// Of a file whose parts have names instead of lines ("/Base/Zone/ZoneBC" of CGNS): the one that
-  /// is being read, by which places are named from now on.
+  /// Sets the part being read, for files that have named parts ("/Base/Zone/ZoneBC" of CGNS)
+  /// instead of lines. From now on places are named by this part.
   void set_part(std::string part) { part_ = std::move(part); }
 
   /// "FILE:LINE" (lines count from 1), "FILE: byte N" (bytes count from 0) or "FILE: PART".
@@ -56,10 +57,10 @@ class Source {
   std::string part_;
 };
 
-/// A piece of a file fit for a message: quoted, shortened, without control characters.
+/// Prepares a piece of a file for a message: quotes and shortens it, removes control characters.
 std::string in_quotes(std::string_view text);
 
-/// What a scanner should find, spelt out only when it does not: "x of node 57 of 100".
+/// What a scanner expects; the text is made only for an error: "x of node 57 of 100".
 struct Expected {
   const char* what;
   Index index = -1;  ///< counted from 0; printed from 1
@@ -67,12 +68,12 @@ struct Expected {
   std::string text() const;
 };
 
-/// Walks over the text of a source: words, numbers and lines, with errors that name the place.
+/// Reads words, numbers and lines from the text of a source; errors name the place.
 class Scanner {
  public:
   explicit Scanner(const Source& source, std::size_t offset = 0)
       : source_(source), text_(source.text()), position_(offset) {}
-  /// Sees nothing at or after `end`.
+  /// Reads only up to `end`.
   Scanner(const Source& source, std::size_t offset, std::size_t end)
       : source_(source), text_(source.text().substr(0, end)), position_(offset) {}
 
@@ -82,13 +83,13 @@ class Scanner {
   bool at_end() const { return position_ >= text_.size(); }
   std::size_t bytes_left() const { return at_end() ? 0 : text_.size() - position_; }
 
-  /// Rest of this line without its end ("\n" or "\r\n"); goes to the next line.
+  /// Returns the rest of this line without its end ("\n" or "\r\n"); moves to the next line.
   std::string_view line();
-  /// Skips white space over any number of lines.
+  /// Skips white space, including line ends.
   void skip_space();
   /// Next word of this line; empty at its end.
   std::string_view word();
-  /// Next word, over line ends; empty at the end of the file.
+  /// Next word, also on a later line; empty at the end of the file.
   std::string_view next_word() {
     skip_space();
     return word();
@@ -99,8 +100,8 @@ class Scanner {
   double number(const Expected& expected) { return parsed<double>(expected); }
   /// An integer that fits an Index and is not negative.
   Index index(const Expected& expected);
-  /// A number of things that follow and take at least `bytes_each` bytes each: never more than the
-  /// rest of the file can hold, so that a forged header cannot make us allocate without limit.
+  /// Reads the count of following items of at least `bytes_each` bytes each. Throws InputError if
+  /// the rest of the file cannot hold them, so that a forged header cannot cause huge allocations.
   Index count(const Expected& expected, std::size_t bytes_each);
 
   /// The next number of a binary file, of that kind. Throws InputError.
@@ -112,10 +113,10 @@ class Scanner {
     return number_at<Number>(text_.data() + position_ - kind.bytes, kind, big_endian);
   }
 
-  /// Goes to the next line; anything but white space before it is an error.
+  /// Moves to the next line. Throws InputError if the rest of this line is not white space.
   void end_line(const Expected& expected);
 
-  /// Throws "found <the word>, expected ..." at the word (an empty word is a line's or file's end).
+  /// Throws "found <the word>, expected ..." at the word (empty: the end of the line or file).
   [[noreturn]] void fail(std::string_view found, const Expected& expected) const;
   [[noreturn]] void fail(std::string_view found, const std::string& expected) const;
 
@@ -133,24 +134,24 @@ class Scanner {
   std::size_t position_;
 };
 
-/// Without white space at both ends.
+/// Removes white space at both ends.
 std::string_view trimmed(std::string_view text);
 /// Offset of the first character of the line in which `offset` lies.
 std::size_t line_begin(std::string_view text, std::size_t offset);
-/// What text(item) says of all items: "1, 2, 4".
+/// Joins text(item) of all items: "1, 2, 4".
 template <class Items, class Text>
 std::string list_of(const Items& items, const Text& text) {
   std::string list;
   for (const auto& item : items) list.append(list.empty() ? "" : ", ").append(text(item));
   return list;
 }
-/// A name as one word: '_' stands for blanks, control characters and these others.
+/// A name as one word: '_' replaces blanks, control characters and `others`.
 std::string as_word(std::string name, std::string_view others = {});
-/// A name within a line: the same, but blanks stay.
+/// A name that fits in a line: as as_word(), but keeps blanks.
 std::string within_line(std::string name, std::string_view others = {});
-/// Letters of ASCII in lower case.
+/// Converts ASCII letters to lower case.
 std::string lower_case(std::string_view text);
-/// Checks a count against the bytes that are left (see Scanner::count). Throws InputError.
+/// Checks a count against the remaining bytes (see Scanner::count). Throws InputError.
 Index checked_count(const Source& source, std::size_t offset, std::int64_t count,
                     std::size_t bytes_each, std::size_t bytes_left, const Expected& expected);
 

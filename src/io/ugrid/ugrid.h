@@ -4,10 +4,10 @@
 #include "io/format/parsed_mesh.h"
 
 /// AFLR3 grids (.ugrid): "UG_IO 3D Grid File Type UGRID", SimCenter, Mississippi State University;
-/// and the .mapbc file beside one, which FUN3D reads: names and boundary conditions of surfaces.
+/// and FUN3D's .mapbc file beside the grid: names and boundary conditions of surfaces.
 namespace winslow::io::ugrid {
 
-/// How a file is encoded, as the last but one extension says: none, .b8, .lb8, .b4, .lb4.
+/// Encoding of a file, by its last but one extension: none, .b8, .lb8, .b4, .lb4.
 struct Encoding {
   bool binary = false;
   bool big_endian = false;
@@ -15,13 +15,13 @@ struct Encoding {
 
   bool operator==(const Encoding&) const = default;
 };
-/// Nothing for "mesh.xyz.ugrid", whose last but one extension means nothing.
+/// The encoding by name; nothing for an unknown last but one extension, as in "mesh.xyz.ugrid".
 std::optional<Encoding> encoding_of_name(const std::filesystem::path& path);
-/// The binary encoding by which the counts at the start of the content fit its size, or text, if
-/// its first line holds the counts.
+/// The binary encoding for which the counts at the start of the content fit its size; text if the
+/// first line holds the counts.
 std::optional<Encoding> encoding_of_content(std::string_view content);
 
-/// Numbers of the things in a file, in the order of its first line.
+/// The counts of a file, in the order of its first line.
 struct Counts {
   std::int64_t nodes = 0, triangles = 0, quadrilaterals = 0;
   std::array<std::int64_t, 4> elements{};  ///< in the order of element_order
@@ -29,7 +29,7 @@ struct Counts {
 constexpr std::array<ElementType, 4> element_order{ElementType::tetrahedron, ElementType::pyramid,
                                                    ElementType::prism, ElementType::hexahedron};
 
-/// "mesh.mapbc" of "mesh.b8.ugrid" and of "mesh.ugrid.gz".
+/// "mesh.mapbc" for "mesh.b8.ugrid" and for "mesh.ugrid.gz".
 std::filesystem::path mapbc_path(const std::filesystem::path& path);
 
 /// A line of a .mapbc file.
@@ -51,8 +51,8 @@ std::vector<OutputFile> files(const std::filesystem::path& path, const Mesh& mes
                               const FormatDetails* details, const WriteOptions& options,
                               std::vector<std::string>& warnings);
 
-/// Reads a .mapbc file, appended to the source, if there is one: the number of surfaces; then for
-/// each, in a line, its number, its boundary condition (of FUN3D) and its name. Throws InputError.
+/// Appends a .mapbc file to the source and reads it, if it exists: the number of surfaces, then a
+/// line with number, boundary condition (of FUN3D) and name for each. Throws InputError.
 std::vector<Surface> read_mapbc(Source& source, const std::filesystem::path& path);
 
 void write_mapbc(std::ostream& out, const std::vector<Surface>& surfaces);

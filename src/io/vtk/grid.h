@@ -6,13 +6,13 @@
 #include "io/format/mesh_format.h"
 #include "io/format/parsed_mesh.h"
 
-/// VTK files, legacy and XML: "VTK File Formats" (Kitware). VTK knows no markers; ours are line
-/// cells, those of volume meshes triangles and quadrilaterals, with an integer cell array "marker"
-/// (the marker's tag, 0 elsewhere), and one field array "marker:NAME" per marker that holds its
+/// VTK files, legacy and XML: "VTK File Formats" (Kitware). VTK has no markers. winslow writes them
+/// as line cells (triangles and quadrilaterals in volume meshes) with an integer cell array
+/// "marker" (the marker's tag, 0 elsewhere). One field array "marker:NAME" per marker holds its
 /// tag. Regions likewise: "region", "region:NAME".
 namespace winslow::io::vtk {
 
-/// Cell types of VTK that we know by name.
+/// Named cell types of VTK.
 enum CellType : std::uint8_t {
   vertex = 1,
   line = 3,
@@ -27,13 +27,13 @@ enum CellType : std::uint8_t {
   wedge = 13,
   pyramid = 14
 };
-/// The cell that a face of a marker is.
+/// The cell type of a marker's face.
 CellType cell_type_of(const Face& face);
 CellType cell_type_of(ElementType type);
 
 using NamedTag = std::pair<std::string, int>;
 
-/// What both file formats say: a list of cells.
+/// The content of both file formats: a list of cells.
 struct Grid {
   std::vector<double> points;  ///< x y z, node after node
   std::vector<std::int64_t> connectivity;
@@ -43,7 +43,7 @@ struct Grid {
   std::vector<int> region;               ///< #cells, or empty
   std::vector<NamedTag> marker_names;
   std::vector<NamedTag> region_names;
-  std::set<std::string> dropped;  ///< names of arrays of the file that we do not keep
+  std::set<std::string> dropped;  ///< names of arrays that are not kept
 
   std::vector<std::size_t> point_places;  ///< byte offset of each point in the file
   std::vector<std::size_t> cell_places;
@@ -52,7 +52,7 @@ struct Grid {
   void add_cell(CellType type, std::span<const Index> nodes, int marker_tag, int region_tag);
 };
 
-/// Cells in the order of the file.
+/// Details of a VTK file: its cells in the order of the file.
 struct Details : BoundaryDetails {
   struct Item {
     enum class Kind : std::uint8_t { point, side, element } kind;
@@ -61,13 +61,12 @@ struct Details : BoundaryDetails {
   std::vector<Item> items;
 };
 
-/// Takes a named array of the file into the grid, if it is one of ours or one of those that Gmsh
-/// and meshio write.
+/// Collects the named arrays for the grid: those of winslow and those that Gmsh and meshio write.
 class ArrayCollector {
  public:
   void cell_array(std::string_view name, const std::vector<double>& values, std::size_t components);
   void field_array(std::string_view name, const std::vector<double>& values);
-  /// Moves what was collected into the grid, whose cells are known by now.
+  /// Moves the collected arrays into the grid, which must have its cells already.
   void finish(const Source& source, Grid& grid);
 
  private:
@@ -82,11 +81,11 @@ class ArrayCollector {
 
 /// Turns cells into a mesh. Throws InputError.
 ParsedMesh to_mesh(const Source& source, const Grid& grid);
-/// Cells of a mesh; in the order of its source if that was a VTK file and still fits.
+/// Cells of a mesh, in the order of its source if that is a VTK file and still fits.
 Grid to_grid(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings);
 
-/// Legacy VTK files: unstructured grids and polygon data, versions 1 to 5, ASCII and binary.
-/// Written is version 3.0, which every reader understands.
+/// Legacy VTK files: unstructured grids and polygon data, versions 1 to 5, ASCII and binary. Writes
+/// version 3.0, which every reader understands.
 extern const MeshFormat legacy_format;
 /// VTK XML unstructured grids (.vtu). Reads ASCII, inline base64, and appended raw or base64 data,
 /// compressed by zlib or not. Writes ASCII or appended raw data.

@@ -7,28 +7,29 @@
 
 namespace winslow::io::vtk {
 
-/// Bytes of base64 text; white space is skipped, and several padded pieces may follow each other
-/// (VTK encodes the header of an array apart from its data). Nothing if the text is malformed.
+/// Decodes base64 text. White space is skipped; several padded pieces may follow each other (VTK
+/// encodes the header of an array separately). Returns nothing if the text is malformed.
 std::optional<std::string> decode_base64(std::string_view text);
 std::string encode_base64(std::string_view bytes);
 
 /// Decodes the DataArray elements of one VTK XML file.
 class VtuArrays {
  public:
-  /// `file`: the VTKFile element. `xml_begin`: offset in the source of the text that pugixml saw.
-  /// Appended data (what follows its '_') lies in [appended_begin, appended_end); both 0: none.
+  /// `file`: the VTKFile element. `xml_begin`: offset in the source of the text that pugixml
+  /// parsed. Appended data (what follows its '_') lies in [appended_begin, appended_end); both 0:
+  /// none.
   VtuArrays(const Source& source, const pugi::xml_node& file, std::size_t xml_begin,
             std::size_t appended_begin, std::size_t appended_end, bool appended_base64);
 
   /// Offset of an element in the source.
   std::size_t place(const pugi::xml_node& node) const;
 
-  /// How many numbers there must be, where that is known from other arrays: compressed data that
-  /// would unpack to another count is refused before memory is asked for. Without it, data that
-  /// would unpack to more than coordinates and ids can shrink by is refused.
+  /// Expected number of values, if other arrays determine it. Compressed data of another size is
+  /// rejected before memory is allocated. Without a count, data with a compression ratio impossible
+  /// for coordinates and ids is rejected.
   using Count = std::optional<std::size_t>;
-  /// All numbers of an array. `places`, if given, gets the byte offset of each (of the array, where
-  /// single numbers have none).
+  /// Reads all numbers of an array. `places`, if given, receives the byte offset of each (that of
+  /// the array, if single numbers have none).
   std::vector<double> numbers(const pugi::xml_node& array,
                               std::vector<std::size_t>* places = nullptr, Count count = {}) const;
   std::vector<std::int64_t> integers(const pugi::xml_node& array,
