@@ -24,13 +24,13 @@ ExitCode fail(ExitCode code, const std::string& message) {
   return code;
 }
 
-/// Full name of the subcommand that was asked for, as the user types it.
+/// Full name of the chosen subcommand, as the user types it.
 std::string asked_for(const CLI::App& program) {
   for (const CLI::App* sub : program.get_subcommands()) return "winslow " + sub->get_name();
   return "winslow";
 }
 
-/// A message for arguments that nothing takes, with the nearest thing there is.
+/// A message for unexpected arguments that suggests the nearest valid one.
 std::string describe_extras(const CLI::App& program) {
   const auto chosen = program.get_subcommands();
   const CLI::App& app = chosen.empty() ? program : *chosen.front();
@@ -56,8 +56,8 @@ ExitCode run_subcommand(const SubcommandList& subcommands, const CLI::App& progr
   return ExitCode::usage;
 }
 
-/// "-.2" as "-0.2". CLI11 tells a negative number from an option by the digit after the minus sign,
-/// so that it would end a list such as --pivot .3 -.2 after its first number.
+/// Turns "-.2" into "-0.2". CLI11 recognises a negative number by the digit after the minus sign,
+/// so "-.2" would end a list such as --pivot .3 -.2.
 std::string with_leading_zero(std::string word) {
   if (!word.starts_with("-.")) return word;
   const std::string_view digits = std::string_view(word).substr(1);
@@ -67,7 +67,7 @@ std::string with_leading_zero(std::string word) {
   return number ? word.insert(1, "0") : word;
 }
 
-/// The words of the command line in the order in which CLI11 wants them: the last one first.
+/// The words of the command line in the order that CLI11 requires: the last one first.
 std::vector<std::string> reversed_words(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   std::ranges::transform(words, words.begin(), with_leading_zero);
@@ -128,10 +128,9 @@ ExitCode run_program(int argc, char** argv) {
 
 namespace {
 
-/// Memory that is freed stays with the program, up to a limit, for the next who asks. Every
-/// iteration takes arrays of megabytes and frees them; got anew from the system each time, as by
-/// default, they cost a tenth to a quarter of a run on a surface of 100,000 triangles, most of it
-/// while one thread works.
+/// Lets the allocator keep freed memory, up to a limit, for later allocations. Every iteration
+/// allocates and frees arrays of megabytes. By default they come from the system each time, which
+/// costs a tenth to a quarter of a run on a surface of 100,000 triangles, mostly in serial code.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int most_of_one = 32 << 20, most_kept = 256 << 20;  // bytes

@@ -67,7 +67,7 @@ CommandRecord make_record(const Command& command, SmoothResult result) {
   return record;
 }
 
-/// Applies one command of a zone.
+/// Applies one command to a zone.
 CommandRecord apply(const ResolvedCommand& resolved, ZoneRun& zone, bool all_or_nothing,
                     ProgressMonitor& monitor) {
   const Command& command = resolved.command();
@@ -89,8 +89,8 @@ CommandRecord apply(const ResolvedCommand& resolved, ZoneRun& zone, bool all_or_
   return record;
 }
 
-/// Gives the bodies of one zone the pivots that were found for all zones together. `own` are the
-/// bodies of `whole` that the zone has, in the same order, with the markers that it has.
+/// Gives the bodies of one zone the pivots that were found for all zones together. `own`: the
+/// bodies of `whole` that are in the zone, in the same order, with only the zone's markers.
 void copy_pivots(std::vector<MovingBody>& own, const std::vector<MovingBody>& whole) {
   auto from = whole.begin();
   for (MovingBody& body : own) {
@@ -102,8 +102,8 @@ void copy_pivots(std::vector<MovingBody>& own, const std::vector<MovingBody>& wh
   }
 }
 
-/// Applies the commands of all zones, one after the other: bodies that stand in several zones turn
-/// about one point, wherever the commands before have brought them.
+/// Applies the commands to all zones in order. A body in several zones turns about one common
+/// pivot, found at its current position.
 void apply(const EditJob& job, std::vector<ZoneRun>& zones, RunReport& run) {
   for (ZoneRun& zone : zones) zone.result = make_state(zone.source.mesh);
   ProgressMonitor monitor(!job.files.quiet && terminal_attached());
@@ -128,7 +128,7 @@ void apply(const EditJob& job, std::vector<ZoneRun>& zones, RunReport& run) {
   }
 }
 
-/// Reads each reference surface once.
+/// A reader that caches reference surfaces, so that each is read once.
 io::ReferenceReader reading_once() {
   using Surfaces = std::map<std::filesystem::path, std::shared_ptr<const ReferenceSurface>>;
   return [known = std::make_shared<Surfaces>()](const std::filesystem::path& file) {
@@ -152,7 +152,7 @@ Index inverted_elements(const std::vector<ZoneRun>& zones) {
   return sum;
 }
 
-/// The limit of the quality before which a motion ended; empty: none.
+/// The quality limit that ended a motion early; empty: none.
 std::string limited_by(const RunReport& run) {
   std::string limit;
   for (const CommandRecord& c : run.commands)
@@ -191,7 +191,8 @@ void write_recipe(const EditJob& job) {
                             job.files.zone});
 }
 
-/// Writes mesh, history and recipe; the report comes last, since it tells how long the rest took.
+/// Writes mesh, history and recipe; the report comes last, since it holds the times of the other
+/// steps.
 void save(const EditJob& job, const std::vector<ZoneRun>& zones, RunReport& run) {
   const bool valid = inverted_elements(zones) == 0 || job.files.allow_inverted;
   if (valid && (complete(run) || job.files.accept_partial)) {
@@ -279,8 +280,8 @@ void print_outcome(const EditJob& job, const std::vector<ZoneRun>& zones, const 
   std::cout << run.seconds.total << " s\n";
 }
 
-/// What a flow solver will not like about the result that is no fault of validity. Heights that
-/// were asked for are none.
+/// Warns about damage to a valid result that may hurt a flow solver. Requested changes of layer
+/// heights do not count.
 void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
   if (std::ranges::any_of(zone.commands, [](const std::optional<Command>& command) {
         return command && asks_for_heights(*command);
@@ -296,7 +297,7 @@ void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
   run.warnings.push_back(text);
 }
 
-/// The motion that came least far.
+/// The result of the motion that completed the smallest fraction.
 const SmoothResult& least_complete(const RunReport& run) {
   return std::ranges::min_element(run.commands, {},
                                   [](const CommandRecord& c) {
@@ -321,7 +322,7 @@ void print_incomplete(const RunReport& run) {
             << '\n';
 }
 
-/// Why the exit code is not 0; said even with --quiet.
+/// Prints why the exit code is not 0, even with --quiet.
 void print_verdict(const EditJob& job, const std::vector<ZoneRun>& zones, const RunReport& run,
                    ExitCode code) {
   const Index inverted = inverted_elements(zones);
@@ -346,7 +347,7 @@ void print_verdict(const EditJob& job, const std::vector<ZoneRun>& zones, const 
   }
 }
 
-/// Reads the mesh, or the zones that the commands are about.
+/// Reads the mesh, or the zones that the commands change.
 std::vector<ZoneRun> load(const EditJob& job, RunReport& run) {
   std::vector<io::MeshFile> files = read_zones(job.files.input, job.files.zone);
   if (files.size() > 1 && !io::keeps_zones(job.files.output, *files[0].details)) {
@@ -386,7 +387,7 @@ ExitCode run_edit_job(const EditJob& job) {
   check_files(job.files);
   check_options(job.commands);
   const io::ReferenceReader references = reading_once();
-  // Surfaces that cannot be read are told of before the mesh is read, which may take long.
+  // Report unreadable surfaces before reading the mesh, which may take long.
   for (const Command& command : job.commands)
     if (const SmoothOptions* smooth = smooth_options(command))
       io::resolve_files(smooth->slide, nullptr, references);

@@ -46,7 +46,7 @@ void keep_known(std::vector<std::string>& markers, const Topology& topology) {
       markers, [&](const std::string& name) { return !topology.markers().find(name).has_value(); });
 }
 
-/// The command for one zone; nothing, if it is about markers of other zones.
+/// The command for one zone; nothing if all its markers are in other zones.
 std::optional<Command> restricted(Command command, const Topology& topology) {
   if (markers_of(command).empty()) return command;
   std::visit(
@@ -66,7 +66,7 @@ std::optional<Command> restricted(Command command, const Topology& topology) {
   return command;
 }
 
-// What a command says of single nodes; empty: nothing.
+// Describes the single nodes that a command names; empty: none.
 
 template <class AnyCommand>
 std::string own_nodes(const AnyCommand&) {
@@ -99,7 +99,7 @@ void refuse_ambiguous(const std::vector<ZoneRun>& runs, const std::string& file)
                          " has several zones that it could mean; choose one with --zone N");
       }
       seen.push_back(about);
-      break;  // several such commands of one zone mean the same nodes
+      break;  // several such commands for one zone mean the same nodes
     }
   }
 }

@@ -100,7 +100,7 @@ void check_mesh_output(const std::string& path) {
     throw UsageError(path + ": unknown extension, expected one of " + io::supported_extensions());
   }
   if (!format->missing.empty()) throw UsageError(path + ": " + std::string(format->missing));
-  // A mesh that is a folder may be there already, or be made together with those above it.
+  // A mesh folder may already exist, or is made together with its parent folders.
   const fs::path target(path);
   const fs::path name = (target.has_filename() ? target : target.parent_path()).filename();
   if (!format->folder_name.empty() && name == format->folder_name) return;
@@ -111,7 +111,7 @@ void check_distinct(const std::vector<std::string>& paths) {
   std::set<fs::path> seen;
   for (const std::string& path : paths) {
     if (path.empty()) continue;
-    std::error_code pipe;  // which leads to no file that other names could lead to
+    std::error_code pipe;  // a pipe is not the same file as any other path
     const fs::path whole = fs::weakly_canonical(fs::absolute(path), pipe);
     if (!seen.insert(pipe ? fs::absolute(path) : whole).second) {
       throw UsageError(path + " would be written twice");

@@ -22,7 +22,8 @@ std::vector<std::string> split(const std::string& text, char separator) {
   }
 }
 
-/// "KEY=NUMBER,KEY=NUMBER": calls set(key, number) for each, which says whether the key is known.
+/// Parses "KEY=NUMBER,KEY=NUMBER" and calls set(key, number) for each; set returns whether the key
+/// is known.
 template <class Set>
 void read_settings(const std::string& text, const std::string& where, const std::string& keys,
                    const Set& set) {
@@ -57,7 +58,7 @@ int whole(double value, const std::string& where, const std::string& key) {
   return static_cast<int>(value);
 }
 
-/// Sets the number that an option is, of which `key` is the name; false: it is none.
+/// Sets a numeric option named `key`; false if the option is not numeric.
 bool set_number(const OptionValue& option, double value, const std::string& where,
                 const std::string& key) {
   if (const auto* real = std::get_if<RealOption>(&option)) {
@@ -102,7 +103,7 @@ std::vector<Command> holding_layers(const std::vector<std::string>& markers,
 }
 
 LayerWall parse_wall(const std::string& text, const LayerSpacing& common) {
-  // A marker's name may hold a colon; settings hold none.
+  // A marker's name may contain a colon; settings cannot.
   const std::size_t colon = text.rfind(':');
   LayerWall wall{split(text.substr(0, colon), ','), common};
   if (colon == std::string::npos) return wall;

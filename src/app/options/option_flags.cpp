@@ -9,10 +9,10 @@ namespace {
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-constexpr const char* words_name = "words";  // of the validators that hold names
+constexpr const char* words_name = "words";  // name of the validators that hold words
 constexpr std::string_view separator = ", ";
 
-/// Levenshtein distance, blind to case.
+/// Levenshtein distance, ignoring case.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -37,7 +37,7 @@ std::string join(const std::vector<std::string>& names) {
 
 std::string suggest(std::string_view unknown, const std::vector<std::string>& known) {
   const std::string* nearest = nullptr;
-  // Half of a word may be wrong before a suggestion does more harm than good.
+  // Suggest only if at most half of the word is wrong.
   std::size_t best = unknown.size() / 2 + 1;
   for (const std::string& name : known) {
     const std::size_t d = distance(unknown, name);
@@ -72,7 +72,7 @@ std::vector<std::string> words_of(CLI::Option& option) {
     return {};
   }
   std::vector<std::string> words;
-  list = list.substr(1, list.size() - 2).append(separator);  // without its braces
+  list = list.substr(1, list.size() - 2).append(separator);  // without the braces
   for (std::size_t start = 0, end = 0; (end = list.find(separator, start)) != std::string::npos;
        start = end + separator.size())
     words.push_back(list.substr(start, end - start));
@@ -81,7 +81,7 @@ std::vector<std::string> words_of(CLI::Option& option) {
 
 namespace {
 
-/// The names of what there is to choose from, or to have shares of.
+/// The names of the choices, or of the items that have shares.
 template <class Items>
 std::vector<std::string> names_of(const Items& items) {
   std::vector<std::string> names;
@@ -89,7 +89,7 @@ std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
-/// "element vcv=0.3": the shares that are named; the others are 0.
+/// Parses "element vcv=0.3": sets the named shares; the others become 0.
 void set_shares(const SharesOption& shares, const std::string& flag,
                 const std::vector<std::string>& words) {
   for (const auto& part : shares.parts) *part.share = 0;
@@ -109,13 +109,13 @@ void set_shares(const SharesOption& shares, const std::string& flag,
   }
 }
 
-/// The option's fault, once its value has been set; CLI11 puts the flag before it.
+/// Throws the option's fault after its value was set; CLI11 prepends the flag.
 void refuse_fault(const Option& option) {
   if (const std::string fault = fault_of(option); !fault.empty())
     throw CLI::ValidationError(flag_of(option), fault);
 }
 
-/// A flag that sets the value from one word or several.
+/// Declares a flag that sets the value from one or several words.
 template <class Given>
 CLI::Option* add_value(CLI::App& app, const Option& option,
                        const std::function<void(const Given&)>& set) {
@@ -130,9 +130,9 @@ CLI::Option* add_value(CLI::App& app, const Option& option,
       ->option_text(flag_text(option));
 }
 
-// How an option of each kind is declared, and what the help calls its value.
+// One overload per kind of option: declares its flag and the help's name of its value.
 
-/// A number or a text that is taken as it is.
+/// A number or a text without conversion.
 template <class Given, class Value>
 CLI::Option* add_plain(CLI::App& app, const Option& option, Value* value) {
   return add_value<Given>(app, option, [value](const Given& given) { *value = given; });
@@ -184,7 +184,7 @@ CLI::Option* declare(CLI::App& app, const Option& option, const SpaceVectorOptio
 }
 std::string metavariable(const SpaceVectorOption&) { return "X Y Z"; }
 
-/// The flag once for each name, or each pair.
+/// The flag is repeated for each name or pair.
 CLI::Option* declare(CLI::App& app, const Option& option, const NamesOption& names) {
   using Names = std::vector<std::string>;
   using Pairs = std::vector<std::pair<std::string, std::string>>;
@@ -199,7 +199,7 @@ CLI::Option* declare(CLI::App& app, const Option& option, const NamesOption& nam
 }
 std::string metavariable(const NamesOption& names) { return names.pairs ? "NAME NAME" : "NAME"; }
 
-/// The flag once for each node.
+/// The flag is repeated for each node.
 CLI::Option* declare(CLI::App& app, const Option& option, const NodesOption& nodes) {
   return add_plain<std::vector<Index>>(app, option, nodes.value)->allow_extra_args(false);
 }
@@ -283,7 +283,7 @@ std::string limited_names() {
   return join(names);
 }
 
-/// Of elements of either dimension: which the mesh has is not known yet.
+/// Finds a metric of elements of either dimension, because the mesh's dimension is not known yet.
 Metric metric_named(const std::string& name) {
   for (const int dimension : {2, 3}) {
     for (const Metric metric : all_metrics(dimension))
@@ -293,7 +293,7 @@ Metric metric_named(const std::string& name) {
                    "', expected one of: " + limited_names());
 }
 
-/// "normalized_jacobian=0.2"
+/// Parses "normalized_jacobian=0.2".
 void set_limit(QualityFloor& floor, const std::string& word) {
   const std::size_t equals = word.find('=');
   double limit = 0;

@@ -23,10 +23,10 @@ std::string replaced(std::string text, std::string_view what, std::string_view b
   return text;
 }
 
-/// In single quotes, as bash and zsh take them.
+/// Puts text in single quotes for bash and zsh.
 std::string quoted(const std::string& text) { return '\'' + replaced(text, "'", "'\\''") + '\''; }
 
-/// What is said of an option beside it: the first line of its help, not too long.
+/// Short description of an option: the first line of its help, truncated.
 std::string brief(const std::string& help) {
   constexpr std::size_t longest = 70;
   std::string text = help.substr(0, help.find('\n'));
@@ -49,8 +49,8 @@ std::vector<std::string> names_of(const std::vector<ProgramCommand>& commands) {
   return names;
 }
 
-/// Prints the names of the markers of the files that $word goes through: text SU2 and MSH. In the
-/// language that the shells share but for how they loop.
+/// Shell code that prints the marker names of the file $word (text SU2 and MSH). All shells accept
+/// it; only their loops differ.
 constexpr std::string_view print_markers =
     R"sh(case "$word" in
       *.su2) sed -n 's/^[[:space:]]*MARKER_*TAG[[:space:]]*=[[:space:]]*//p' "$word" ;;
@@ -90,7 +90,7 @@ complete -o default -F _winslow winslow
 
 void print_bash_options(std::ostream& out, const ProgramOptions& program) {
   constexpr std::array<const char*, 5> kinds{"none", "words", "marker", "file", "other"};
-  // What is said of flags, with all that it is said of.
+  // Flags grouped by their description.
   std::map<std::string, std::vector<std::string>> flags;
   for (const ProgramCommand& command : program.commands) {
     for (const ProgramOption& option : command.options) {
@@ -132,14 +132,14 @@ void print_bash(std::ostream& out, const ProgramOptions& program) {
 
 // zsh
 
-/// What _arguments takes as a text within brackets or between colons.
+/// Escapes text for _arguments, within brackets or between colons.
 std::string zsh_text(std::string text) {
   for (const std::string_view special : {"\\", "[", "]", ":"})
     text = replaced(std::move(text), special, '\\' + std::string(special));
   return text;
 }
 
-/// ":message:action", once for each value.
+/// ":message:action" for each value.
 std::string zsh_values(const ProgramOption& option) {
   std::string action = " ";
   if (option.kind == ValueKind::words) action = '(' + joined(option.words) + ')';
@@ -187,12 +187,12 @@ void print_zsh(std::ostream& out, const ProgramOptions& program) {
 
 // fish
 
-/// In single quotes, as fish takes them.
+/// Puts text in single quotes for fish.
 std::string fish_quoted(const std::string& text) {
   return '\'' + replaced(replaced(text, "\\", "\\\\"), "'", "\\'") + '\'';
 }
 
-/// The flags and what follows them, without the commands that they belong to.
+/// The flags and their values, without the commands that they belong to.
 std::string fish_option(const ProgramOption& option) {
   std::string text;
   for (const std::string& name : option.names)

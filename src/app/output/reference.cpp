@@ -16,7 +16,7 @@
 namespace winslow::app {
 namespace {
 
-/// "N [500]" is N.
+/// Removes the default: "N [500]" becomes "N".
 std::string_view without_default(std::string_view value) {
   return value.substr(0, value.find(' '));
 }
@@ -37,7 +37,7 @@ ValueKind kind_of(const ProgramOption& option) {
   return value == "NAME" ? ValueKind::marker : ValueKind::other;
 }
 
-/// As many as a shell needs to count.
+/// Largest number of values, limited to what shell completion needs.
 int most_values(const CLI::Option& option) {
   constexpr int many = 99;
   if (option.get_items_expected_max() == 0) return 0;
@@ -59,7 +59,7 @@ ProgramOption option_of(CLI::Option& option) {
   if (out.most_values > 0 && !out.positional) {
     out.value =
         option.get_option_text().empty() ? option.get_type_name() : option.get_option_text();
-    out.value = out.value.substr(0, out.value.find(':'));  // what checks say of themselves
+    out.value = out.value.substr(0, out.value.find(':'));  // without the descriptions of validators
   }
   out.help = option.get_description();
   out.group = option.get_group();
@@ -89,8 +89,8 @@ ProgramOptions program_options(CLI::App& program) {
 
 namespace {
 
-/// Text that roff prints as it is: no escapes, no requests at the beginning of a line, and minus
-/// signs that can be copied.
+/// Escapes text for roff: no escapes, no requests at the beginning of a line, and minus signs that
+/// can be copied.
 std::string escaped(std::string_view text) {
   static const std::map<char, std::string_view> glyphs{
       {'\\', "\\e"}, {'-', "\\-"}, {'^', "\\(ha"}, {'~', "\\(ti"}, {'`', "\\(ga"}, {'\'', "\\(aq"}};
@@ -106,7 +106,7 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-/// A piece of a line in bold or italics.
+/// Formats text in bold or italics.
 std::string in_font(char font, const std::string& text) {
   return std::string("\\f") + font + escaped(text) + "\\fR";
 }
@@ -116,7 +116,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// The lines of a help text, those after the first (choices) each on a line of its own.
+/// Prints a help text; each line after the first (choices) starts a new line.
 void print_text(std::ostream& out, const std::string& text) {
   std::istringstream lines(text);
   bool first = true;
@@ -137,9 +137,9 @@ void print_option(std::ostream& out, const ProgramOption& option) {
   print_text(out, option.help);
 }
 
-constexpr std::string_view unnamed = "Options";  // heading of what belongs to no group
+constexpr std::string_view unnamed = "Options";  // heading of options without a group
 
-/// Options by their headings, in order.
+/// Options grouped by heading, in order.
 using Groups = std::vector<std::pair<std::string, std::vector<const ProgramOption*>>>;
 
 Groups groups_of(const ProgramCommand& command) {
@@ -159,7 +159,7 @@ std::string text_of(const Groups::value_type& group) {
   return out.str();
 }
 
-/// Groups of a name that several commands have alike.
+/// Groups of options that several commands share.
 class SharedGroups {
  public:
   explicit SharedGroups(const ProgramOptions& program) {
@@ -252,7 +252,7 @@ std::string item_text(const Item& item) {
          (item.help.empty() ? "" : ": " + std::string(item.help));
 }
 
-/// What is said of an option, with what there is to choose from.
+/// Description of an option with its choices.
 std::string meaning(const Option& option) {
   std::string text(option.help);
   std::string items;
@@ -266,7 +266,7 @@ std::string meaning(const Option& option) {
   return text + '.' + (option.advice.empty() ? "" : ' ' + std::string(option.advice));
 }
 
-/// The names of a choice stand in its meaning.
+/// The range of an option; for a choice empty, because its meaning lists the names.
 std::string range_text(const Option& option) {
   return std::holds_alternative<ChoiceOption>(option.value) ? "" : expected_text(option);
 }
@@ -281,7 +281,7 @@ void print_flags(std::ostream& out, const OptionTable& table) {
   }
 }
 
-/// The table of a struct, with its defaults.
+/// Prints the table of an options struct with its defaults.
 template <class Options>
 void print_table(std::ostream& out) {
   Options defaults;
@@ -294,7 +294,7 @@ void print_fields(std::ostream& out) {
   for (const ElementField& field : all_element_fields(MeshKind::surface))
     if (field.surface()) fields.push_back(field);
   for (const ElementField& field : fields) {
-    if (field.layer()) continue;  // a mesh file says nothing of layers
+    if (field.layer()) continue;  // a mesh file holds no layers
     const bool reported = field.metric() && metric_info(*field.metric()).reported;
     const FieldInfo& info = field_info(field);
     out << "| " << code(std::string(info.name)) << " | " << (reported ? "yes" : "") << " | "

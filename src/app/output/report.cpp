@@ -14,7 +14,7 @@ namespace winslow::app {
 std::int64_t peak_memory_bytes() {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
-  return std::int64_t{usage.ru_maxrss} * 1024;  // Linux counts in KiB
+  return std::int64_t{usage.ru_maxrss} * 1024;  // KiB on Linux
 }
 
 namespace {
@@ -25,7 +25,7 @@ json describe_statistics(const Statistics& s) {
   return {{"min", s.min}, {"avg", s.avg}, {"max", s.max}};
 }
 
-/// As many components as the mesh has.
+/// Writes as many components as the mesh has dimensions.
 json describe_place(const Vec3& place, int dimension) {
   json components = json::array();
   for (int k = 0; k < dimension; ++k) components.push_back(place[k]);
@@ -129,7 +129,7 @@ json describe_result(const CommandRecord& record) {
   return report;
 }
 
-/// The keys that a run has as a whole: sums over its commands, or what the last one says.
+/// The keys of a whole run: sums over its commands, or values of the last one.
 json describe_totals(const std::vector<CommandRecord>& commands) {
   int iterations = 0, solves = 0, increments = 0;
   double fraction = 1;
@@ -299,7 +299,7 @@ json describe_run(const RunReport& run, const std::vector<ZoneResult>& zones) {
 }
 
 void write_json(const std::filesystem::path& path, const json& value) {
-  // A name of a file or a marker need not be UTF-8: replace what is not, rather than fail.
+  // Names of files and markers need not be UTF-8: replace invalid bytes instead of failing.
   const std::string text = value.dump(2, ' ', false, json::error_handler_t::replace);
   io::write_atomically(path, [&](std::ostream& out) { out << text << '\n'; });
 }

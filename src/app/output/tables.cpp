@@ -12,7 +12,7 @@ namespace {
 
 constexpr int bar_width = 50;
 
-/// Three decimals, unless the number would lose its meaning.
+/// Formats with three decimals, or with more digits if small numbers need them.
 std::string number(double value) {
   const double size = std::abs(value);
   const bool plain = size == 0 || (size >= 0.01 && size < 1e5);
@@ -114,7 +114,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Something that is measured of walls.
+/// A quantity that is measured at walls.
 struct Measure {
   const char* key;    ///< in the report
   const char* label;  ///< in the table
@@ -222,7 +222,7 @@ void print_row(std::ostream& out, const char* name, const Statistics& s, double 
                    factor * s.max);
 }
 
-/// Share that is left of the thickness that was asked for.
+/// Fraction of the requested thickness that a column reaches.
 double share(const LayerColumn& column) {
   return column.asked > 0 ? column.thickness() / column.asked : 0;
 }
@@ -261,8 +261,8 @@ std::string_view end_sentence(LayerEnd end) {
   return "";
 }
 
-/// What was found, and why it ends: "Layers found: 224 columns of 18 to 42 rows; they end where
-/// ...".
+/// Prints the detected layers and why they end: "Layers found: 224 columns of 18 to 42 rows; they
+/// end where ...".
 void print_found(std::ostream& out, const LayerStack& stack) {
   std::size_t found = 0, fewest = std::numeric_limits<std::size_t>::max(), most = 0;
   std::map<LayerEnd, std::size_t> ends;

@@ -14,7 +14,7 @@ std::string printable(std::string_view text) {
   std::string safe;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
-    // U+0080 to U+009F are C2 80 to C2 9F in UTF-8; terminals obey some of them as well.
+    // U+0080 to U+009F are C2 80 to C2 9F in UTF-8; terminals interpret some of them as well.
     const bool c1 = byte == 0xc2 && i + 1 < text.size() &&
                     (static_cast<unsigned char>(text[i + 1]) & 0xe0) == 0x80;
     if (c1) {
@@ -78,7 +78,7 @@ namespace {
 constexpr double seconds_between_lines = 0.1;
 constexpr const char* clear_line = "\r\x1b[K";
 
-/// Columns of the terminal: a longer line would wrap and stay behind.
+/// Columns of the terminal; a longer line would wrap and could not be erased.
 std::size_t columns() {
   winsize size = {};
   const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;

@@ -1,13 +1,12 @@
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
 
-// Takes the place of render.cpp, render_volume.cpp and studio.cpp in a program that is built
-// without winslow::gui.
+// Replaces render.cpp, render_volume.cpp and studio.cpp in a build without winslow::gui.
 namespace winslow::app {
 namespace {
 
-/// A command that this program cannot carry out. Not in the help, the manual page and the
-/// completions: it is there to say what is missing to those who know the command from elsewhere.
+/// A command that this build does not support. It is hidden from the help, the manual page and the
+/// completions, and only tells its users what is missing.
 class MissingSubcommand : public Subcommand {
  public:
   MissingSubcommand(CLI::App& program, const std::string& name)

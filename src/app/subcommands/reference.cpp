@@ -9,8 +9,8 @@
 namespace winslow::app {
 namespace {
 
-/// Tables of the reference pages, the manual page, completions for shells. Not in the help: it
-/// serves those who write pages and those who install the program.
+/// Prints tables of the reference pages, the manual page and shell completions. Hidden from the
+/// help: it is for authors of the documentation and for packagers.
 class ReferenceSubcommand : public Subcommand {
  public:
   explicit ReferenceSubcommand(CLI::App& program)

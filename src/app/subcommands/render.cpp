@@ -38,7 +38,7 @@ void draw(const RenderFlags& flags, const Mesh& mesh) {
     gui::write_png(flags.output, gui::draw_picture(mesh, picture_options(flags)));
 }
 
-/// Both meshes at the size asked for, in one range of colours.
+/// Draws both meshes at the requested size with the same range of colours.
 void draw_both(const RenderFlags& flags, const Mesh& before, const Mesh& after) {
   gui::PictureOptions options = picture_options(flags);
   options.before = std::make_shared<const Coordinates>(before.coordinates);
@@ -56,8 +56,8 @@ void draw_both(const RenderFlags& flags, const Mesh& before, const Mesh& after) 
   });
 }
 
-/// Frames of the meshes on a recipe's way, all of one part of the plane and in one range of
-/// colours. Returns what to tell the user.
+/// Draws frames of a recipe's meshes, all with the same view and range of colours. Returns a
+/// message for the user.
 std::string draw_frames(const RenderFlags& flags, const std::vector<Mesh>& meshes) {
   gui::PictureOptions options = picture_options(flags);
   options.before = std::make_shared<const Coordinates>(meshes.front().coordinates);
@@ -69,7 +69,7 @@ std::string draw_frames(const RenderFlags& flags, const std::vector<Mesh>& meshe
     }
     options.bounds = all;
   }
-  // Of the first mesh what has changed says nothing yet.
+  // For the first mesh, values that measure changes are not meaningful yet.
   if (options.color && !options.colors.range) {
     const bool change = field_info(*options.color).one_is_best;
     gui::use_scale(options.colors,
@@ -96,7 +96,7 @@ class RenderSubcommand : public Subcommand {
         .value("--vcv", flags_.vcvs, "NODE,...",
                "Draw the virtual control volumes of these nodes over the mesh")
         ->delimiter(',')
-        ->allow_extra_args(false);  // what follows is the mesh
+        ->allow_extra_args(false);  // the next word is the mesh
     group.value("--title", flags_.title, "TEXT", "Line above the picture");
     group.on("--dark", flags_.dark, "Dark background");
     group.on("--no-wireframe", flags_.no_wireframe, "Leave the edges of elements out");
@@ -189,7 +189,7 @@ class RenderSubcommand : public Subcommand {
 
   void add_color_flags() {
     std::vector<std::string> names;
-    // A mesh file says nothing of layers and of the heights that were wanted.
+    // A mesh file holds neither layers nor requested heights.
     for (const MeshKind kind : {MeshKind::plane, MeshKind::surface, MeshKind::volume}) {
       for (const ElementField& f : all_element_fields(kind)) {
         const std::string name(field_info(f).name);

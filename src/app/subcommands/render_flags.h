@@ -55,7 +55,7 @@ void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Top
 std::string draw_volume(const RenderFlags& flags, const Mesh& mesh);
 /// Draws two states side by side, with the same view and the same range of colours.
 void draw_volumes(const RenderFlags& flags, const Mesh& before, const Mesh& after);
-/// Draws frames of a volume mesh while the view turns once around it; returns what to tell the
+/// Draws frames of a volume mesh while the view turns once around it; returns a message for the
 /// user.
 std::string draw_turntable(const RenderFlags& flags, const Mesh& mesh);
 /// Draws the meshes of a recipe's steps as frames in flags.frames; returns a message for the user.

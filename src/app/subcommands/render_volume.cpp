@@ -28,7 +28,7 @@ void add_cut_flags(CLI::App& app, VolumeFlags& flags) {
                   .value("--cut", flags.cuts, "PX PY PZ NX NY NZ",
                          "Cut by a plane through a point and take away what its normal points to; "
                          "may be given several times [around bodies: through their middle]")
-                  ->allow_extra_args(false);  // what follows is the mesh
+                  ->allow_extra_args(false);  // the next word is the mesh
   auto* none = group.on("--no-cut", flags.no_cut, "Cut nothing");
   cut->excludes(none);
   group.on("--crinkle", flags.crinkle, "Cuts leave whole elements")->excludes(none);
@@ -142,8 +142,8 @@ gui::VolumePictureOptions volume_options(const RenderFlags& flags, MeshKind kind
   return options;
 }
 
-/// For pictures of states of one mesh, in order, that are to be compared: the cuts are those of the
-/// last, the range of colours spans the first and the last, and all of every one is seen.
+/// Options for comparable pictures of successive states of one mesh. The cuts are those of the last
+/// state, the range of colours covers the first and the last, and every state is fully visible.
 gui::VolumePictureOptions alike_options(const RenderFlags& flags,
                                         std::span<const Mesh* const> states) {
   const Mesh &first = *states.front(), &last = *states.back();
@@ -206,7 +206,7 @@ std::string draw_turntable(const RenderFlags& flags, const Mesh& mesh) {
   gui::VolumePictureOptions options = volume_options(flags, mesh.topology->kind());
   if (!options.view)
     options.view = gui::automatic_view(gui::cuts_of_picture(mesh, options), options.up);
-  // From whatever side all of it has room, and has one size.
+  // The whole mesh fits from every side, at the same scale.
   if (!options.half_width) {
     const Box<3> box = gui::volume_picture_extent(mesh, options);
     const Vec3 half = Vec3::Constant(0.5 * box.size().norm());

@@ -11,8 +11,8 @@
 namespace winslow::app {
 namespace {
 
-/// The subcommand of a command that changes a mesh: a flag for each option of its table, and those
-/// that all such commands have.
+/// The subcommand of a command that changes a mesh. It has a flag for each option of the command's
+/// table, and the flags common to all such commands.
 template <class EditCommand>
 class EditSubcommand : public Subcommand {
  public:
@@ -40,7 +40,7 @@ class EditSubcommand : public Subcommand {
     }
   }
 
-  /// The last ones.
+  /// Declares the common flags, which come last.
   void add_common_flags() {
     if constexpr (requires { command_.smooth; }) add_smooth_flags(app(), command_.smooth);
     add_job_flags(app(), files_);
@@ -54,7 +54,7 @@ class EditSubcommand : public Subcommand {
   std::vector<std::string> held_;
 };
 
-/// Of a command that its table describes.
+/// The subcommand of a command that its table describes completely.
 template <class EditCommand>
 class TableSubcommand : public EditSubcommand<EditCommand> {
  public:
@@ -66,7 +66,7 @@ class TableSubcommand : public EditSubcommand<EditCommand> {
   }
 };
 
-/// It tells a motion that is not given from one by 0, and may hold layers.
+/// Distinguishes a missing motion from a motion by 0, and can hold layers.
 class MoveSubcommand : public EditSubcommand<MoveCommand> {
  public:
   explicit MoveSubcommand(CLI::App& program) : EditSubcommand(program) {
@@ -200,7 +200,7 @@ class ReplaySubcommand : public Subcommand {
   CLI::Option* threads_flag_ = nullptr;
 };
 
-// The subcommand of each kind of command; null: it has none.
+// make_for(): the subcommand of each kind of command; null if it has none.
 
 template <class EditCommand>
 requires(!EditCommand::beyond_table) std::unique_ptr<Subcommand> make_for(const EditCommand&,

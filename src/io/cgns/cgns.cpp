@@ -26,7 +26,7 @@ const MeshFormat format{.name = "cgns",
 
 namespace {
 
-/// A base, with these families added that it does not have yet.
+/// A copy of the base to which the missing ones of these families are added.
 NodePtr with_families(const Node& base, const std::vector<NodePtr>& families) {
   auto copy = own_copy(base);
   for (const NodePtr& family : families)
@@ -34,16 +34,17 @@ NodePtr with_families(const Node& base, const std::vector<NodePtr>& families) {
   return copy;
 }
 
-/// MIXED sections hold offsets in files of CGNS 3.4 and 4, and in no others.
+/// True if MIXED sections hold offsets, which they do only in files of CGNS 3.4 and 4.
 bool has_start_offsets(const Node& root) {
   const NodePtr node = child_labelled(root, "CGNSLibraryVersion_t");
   const auto numbers = node ? reals_of(node->content()) : std::vector<double>();
-  // The numbers that libcgns compares, too.
+  // libcgns compares the same numbers.
   const int version = numbers.empty() ? 0 : static_cast<int>(std::lround(numbers[0] * 1000));
   return version == 3400 || version >= 4000;
 }
 
-/// Connections go back with the tree that they were read from, and are not made anew.
+/// Connections are only written as part of the tree that they were read from, so others get a
+/// warning.
 void warn_of_pairs(const FormatDetails* details, std::vector<std::string>& warnings) {
   if (details == nullptr || !details->periodic) return;
   if (const std::string names = named_pairs(*details->periodic); !names.empty())
@@ -72,7 +73,7 @@ NodePtr with_zone(const NodePtr& root, const Mesh& mesh, const Details& details,
   return with_child(*root, *base, with_families(*with_new, made.families));
 }
 
-/// The tree with one of its zones and no other, and without interfaces that would lead nowhere.
+/// The tree with only one of its zones, and without interfaces to the other zones.
 NodePtr with_zone_only(const Node& root, const Details& details,
                        std::vector<std::string>& warnings) {
   auto tree = std::make_shared<Node>(root);
@@ -106,7 +107,7 @@ NodePtr with_zone_only(const Node& root, const Details& details,
   return with_child(*tree, *base, with_child(*alone, *zone, open));
 }
 
-/// A file that holds nothing but the mesh.
+/// The tree of a file that holds only the mesh.
 NodePtr new_tree(const Mesh& mesh, const FormatDetails* details,
                  std::vector<std::string>& warnings) {
   NewZoneSource source;
@@ -114,13 +115,13 @@ NodePtr new_tree(const Mesh& mesh, const FormatDetails* details,
   const int cell_dimension = mesh.topology->cell_dimension();
   source.physical_dimension = coordinates_in_file(mesh, details);
   const auto& markers = mesh.topology->markers();
-  // Zones and families stand side by side and cannot have the same name.
+  // Zones and families are siblings, which must have different names.
   while (markers.find(source.name)) source.name += "_1";
   NewZone made = make_zone(mesh, source, warnings);
   auto base = make_integers("Base", "CGNSBase_t", {cell_dimension, source.physical_dimension});
   base->children.push_back(std::move(made.zone));
   auto root = make_node("", "");
-  // Files of CGNS 4 are refused by programs with an older libcgns, and have nothing that we need.
+  // Programs with an older libcgns refuse files of CGNS 4, and no feature of CGNS 4 is needed here.
   constexpr float version = 3.3F;
   root->children.push_back(
       make_single_reals("CGNSLibraryVersion", "CGNSLibraryVersion_t", {version}));

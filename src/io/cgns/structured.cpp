@@ -23,7 +23,7 @@ class Joined {
     while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
     return v;
   }
-  /// The lowest vertex stands for all.
+  /// The lowest vertex represents all that are joined.
   void join(std::size_t a, std::size_t b) {
     a = find(a);
     b = find(b);
@@ -84,7 +84,7 @@ class CutJoiner {
     tolerance_ = same_place * std::max(extent(x), extent(y));
   }
 
-  /// False if the two sides lie apart.
+  /// Returns false if the two sides do not coincide.
   bool join(const NodeView& connection, const Pairs& pairs) {
     std::vector<std::pair<std::size_t, std::size_t>> found;
     const auto steps = pairs.steps();
@@ -211,7 +211,7 @@ std::vector<Face> StructuredBoundary::edges_along(Point p, Point q) const {
 std::vector<Face> StructuredBoundary::faces_at(const PointSet& set, Point p, Point q) const {
   bool along_j = set.location.starts_with("I");
   if (!along_j && !set.location.starts_with("J")) {
-    // FaceCenter or EdgeCenter: the side of the zone tells.
+    // FaceCenter or EdgeCenter: the side of the zone decides the direction.
     const bool ambiguous = p == q;
     along_j = ambiguous ? (p[0] == 1 || p[0] == lattice_.ni) && p[1] < lattice_.nj : p[0] == q[0];
   }

@@ -32,9 +32,9 @@ NodePtr find_path(const NodePtr& root, std::string_view path) {
   return node;
 }
 
-/// The node that links lead to in the end; null: none of this file, or round in a circle.
+/// The final target of a chain of links; null if it is not in this file or the chain is cyclic.
 NodePtr target_of(const NodePtr& root, const Node& link) {
-  constexpr int longest_chain = 100;  // as CGNS has it
+  constexpr int longest_chain = 100;  // the limit of CGNS
   NodePtr node;
   const Node* here = &link;
   for (int i = 0; i < longest_chain && here->link_file.empty(); ++i) {

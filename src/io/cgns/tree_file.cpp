@@ -5,7 +5,7 @@ namespace winslow::io::cgns {
 std::optional<Container> container_of(std::string_view bytes) {
   constexpr std::string_view hdf5 = "\x89HDF\r\n\x1a\n", adf = "ADF Database Version";
   constexpr std::size_t first = 512, last = std::size_t{1} << 20;
-  // Behind four bytes of its own.
+  // The signature comes after four other bytes.
   if (bytes.size() > 4 && bytes.substr(4).starts_with(adf)) return Container::adf;
   if (bytes.starts_with(hdf5)) return Container::hdf5;
   for (std::size_t place = first; place <= last && place < bytes.size(); place *= 2)
@@ -46,9 +46,10 @@ std::mutex& library_mutex() {
   return mutex;
 }
 
-/// HDF5 tidies up when a program ends, and after a damaged file prints that it did not succeed. We
-/// close what we open. The function is looked up because HDF5 is libcgns's affair: its headers may
-/// not be installed. It has to come before all others.
+/// HDF5 cleans up when a program ends, and prints errors if a damaged file was read. This switches
+/// the cleanup off; we close what we open. The function is looked up at run time because only
+/// libcgns needs the headers of HDF5, which may not be installed. Call this before any other
+/// function of HDF5.
 void keep_hdf5_quiet() {
   static const bool done = [] {
     if (void* function = ::dlsym(RTLD_DEFAULT, "H5dont_atexit"))
@@ -64,7 +65,7 @@ std::string library_error() {
   return text.data();
 }
 
-/// A file that libcgns has open.
+/// A file opened by libcgns.
 class OpenFile {
  public:
   OpenFile(const std::filesystem::path& path, int mode, int type) {
@@ -80,7 +81,7 @@ class OpenFile {
   const std::string& error() const { return error_; }
   int number() const { return number_; }
   double root() const { return root_; }
-  /// False where not all could be written.
+  /// False if not everything could be written.
   bool close() {
     if (number_ == 0) return true;
     const bool good = cgio_close_file(number_) == 0;
@@ -95,7 +96,7 @@ class OpenFile {
   std::string error_;
 };
 
-/// Handles of nodes, given back when it goes.
+/// Handles of nodes, released by the destructor.
 struct Handles {
   explicit Handles(int open_file) : file(open_file) {}
   ~Handles() {
@@ -112,7 +113,7 @@ bool printable(char c) {
   return static_cast<unsigned char>(c) >= 0x20 && static_cast<unsigned char>(c) < 0x7f;
 }
 
-/// Path of a node for messages, in which names of damaged files may be anything.
+/// Path of a node for messages; in damaged files, names may hold any bytes.
 std::string child_path(const std::string& parent, const std::string& name) {
   std::string path = parent + '/' + name;
   std::replace_if(
@@ -127,7 +128,7 @@ class TreeReader {
         file_(file.number()),
         container_(container),
         nodes_left_(source.text().size() / smallest_node + some_nodes),
-        // HDF5 can hold compressed data, which deflate shrinks by 1032 at most.
+        // HDF5 can hold compressed data; deflate compresses by a factor of at most 1032.
         bytes_left_(source.text().size() * (container == Container::hdf5 ? 1032 : 1)) {}
 
   NodePtr read(double root_id) {
@@ -211,8 +212,8 @@ class TreeReader {
     bytes_left_ -= bytes;
     node.data.resize(bytes);
     if (bytes == 0) return;
-    // HDF5 may hold another type than the node says: then it converts to that one, where a plain
-    // read would write beyond the end.
+    // HDF5 may store another type than the node declares. This call converts to the declared type;
+    // a plain read would write past the end of the buffer.
     require(container_ == Container::hdf5
                 ? cgio_read_all_data_type(file_, id, node.type.c_str(), node.data.data())
                 : cgio_read_all_data(file_, id, node.data.data()),
@@ -244,7 +245,7 @@ class TreeReader {
   std::vector<std::shared_ptr<Node>> links_;
 };
 
-/// A name as libcgns wants it: into HDF5 it writes 33 bytes, however short the text is.
+/// A name for libcgns, which always writes 33 bytes into HDF5, even for shorter text.
 class Text {
  public:
   explicit Text(const std::string& text) {
@@ -289,7 +290,7 @@ class TreeWriter {
       }
       dims.push_back(static_cast<cgsize_t>(dim));
     }
-    // libcgns cannot write data without any values.
+    // libcgns cannot write empty data.
     const bool empty = node.data.empty();
     require(cgio_new_node(file_, parent, Text(node.name).data(), Text(node.label).data(),
                           Text(empty ? "MT" : node.type).data(),

@@ -5,7 +5,7 @@
 namespace winslow::io::cgns {
 namespace {
 
-/// Faces of one element only, in the order of the elements.
+/// Faces that belong to one element only, in the order of the elements.
 std::vector<Face> boundary_faces(const MeshData& mesh) {
   struct Side {
     std::array<Index, 4> key;
@@ -132,14 +132,14 @@ class MarkerMaker {
     for (const char* label : {"FamilyName_t", "AdditionalFamilyName_t"}) {
       const auto family = condition.first(label);
       if (!family) continue;
-      // "Base/Family" names one of another base.
+      // "Base/Family" names a family of another base.
       const std::string path = family->text();
       if (!path.empty()) return path.substr(path.rfind('/') + 1);
     }
     return {};
   }
 
-  /// Name of the section that these faces are, all of it and nothing else; empty: of none.
+  /// Name of the section that consists of exactly these faces; empty: none.
   std::string section_covered(const std::vector<Face>& faces) const {
     const auto first = section_of_.find(faces.front().sorted());
     if (first == section_of_.end()) return {};
@@ -153,7 +153,7 @@ class MarkerMaker {
                : "";
   }
 
-  /// The name, or one made of it that no marker has.
+  /// The name, or a variant of it that no marker has.
   std::string unused(std::string name) const {
     const auto taken = [&] {
       return std::any_of(mesh_.data.markers.begin(), mesh_.data.markers.end(),
@@ -163,7 +163,7 @@ class MarkerMaker {
     return name;
   }
 
-  /// Adds faces to the marker of that name, a new one if there is none. Returns its index.
+  /// Adds faces to the marker of that name, which is made if missing. Returns its index.
   std::size_t add(const std::string& name, const std::vector<Face>& faces) {
     auto& markers = mesh_.data.markers;
     const auto found = std::find_if(markers.begin(), markers.end(),
@@ -179,7 +179,7 @@ class MarkerMaker {
   }
 
   std::size_t indices_;
-  std::string side_;  // what the boundary is made of
+  std::string side_;  // name of a boundary side, "edge" or "face"
   const ZoneBoundary& boundary_;
   const ZoneSides& sides_;
   ParsedMesh& mesh_;

@@ -7,7 +7,7 @@
 namespace winslow::io::cgns {
 namespace {
 
-/// Numbers of vertices, of a range of one index all of them. Throws InputError for one that the
+/// Vertex numbers of a list, or all in a range of one index. Throws InputError for one that the
 /// zone does not have.
 std::vector<std::int64_t> vertices_of(const NodeView& view, std::int64_t count) {
   std::vector<std::int64_t> numbers = view.integers();
@@ -26,7 +26,7 @@ std::optional<NodeView> donor_of(const NodeView& connection) {
   return list ? list : connection.child("PointRangeDonor");
 }
 
-/// A vector of Periodic_t: 0 where it says none.
+/// A vector of Periodic_t; 0 if it is missing.
 Vec3 vector_of(const NodeView& periodic, const char* name) {
   Vec3 vector(0, 0, 0);
   const auto child = periodic.child(name);
@@ -95,9 +95,9 @@ class PairFinder {
                             beyond = boundary_.faces_of(other, warnings_);
     const auto property = connection.first("GridConnectivityProperty_t");
     const RigidImage image = image_of(*property->first("Periodic_t"));
-    constexpr double share = 0.05;  // of the shortest edge, as PeriodicPairs has it
+    constexpr double share = 0.05;  // of the shortest edge, as in PeriodicPairs
     const double near = share * shortest_edge(side, mesh_.coordinates);
-    // Programs differ in the side from which rotation and translation start.
+    // Programs differ in which side they rotate and translate, so both directions are tried.
     for (const RigidImage& way : {image, inverse_of(image)}) {
       auto pairs = matched(way, nodes_of(side), nodes_of(beyond), mesh_.coordinates, near);
       if (!pairs.empty()) return pairs;
@@ -132,7 +132,7 @@ class PairFinder {
     return any;
   }
 
-  /// Holds the nodes at which sides of two directions meet.
+  /// Holds the nodes where periodic sides of two directions meet.
   void hold_shared() {
     std::map<Index, int> count;
     for (const GivenPairs& given : found_)

@@ -7,8 +7,8 @@ namespace winslow::io::cgns {
 
 namespace {
 
-/// Some programs list elements and do not say so. Vertices they cannot be, if there are none of
-/// these numbers.
+/// Some programs list elements without declaring it. The numbers cannot be vertices if the zone has
+/// no vertices of these numbers.
 bool means_elements(const PointSet& set, const ZoneSides& sides, std::int64_t vertices) {
   if (!set.of_vertices()) return true;
   if (!set.location.empty() || set.values.empty()) return false;
@@ -20,7 +20,7 @@ bool means_elements(const PointSet& set, const ZoneSides& sides, std::int64_t ve
 }
 
 /// Boundary faces of an unstructured zone: sides by the numbers of their elements, or boundary
-/// faces by their vertices. What it is made of has to outlive it.
+/// faces by their vertices. The constructor's arguments must outlive it.
 class UnstructuredBoundary : public ZoneBoundary {
  public:
   UnstructuredBoundary(const MeshData& mesh, const ZoneSides& sides, const ZoneHead& head)
@@ -75,7 +75,7 @@ class UnstructuredBoundary : public ZoneBoundary {
   BoundaryByNodes by_nodes_;
 };
 
-/// The vertex that each node has its place from: the first of those that are one node.
+/// The vertex that gives each node its position: the first of those joined into the node.
 std::vector<std::size_t> first_vertices(const Lattice& lattice) {
   std::vector<std::size_t> vertices;
   for (std::size_t v = 0; v < lattice.node_of_vertex.size(); ++v) {
@@ -132,7 +132,7 @@ class ZoneReader {
         cgns::periodic_pairs(zone_, head_, boundary, pairs_of, mesh_.data, mesh_.warnings);
   }
 
-  /// vertices: of each node; empty: the nodes are the vertices.
+  /// vertices: the vertex of each node; empty: the nodes are the vertices.
   void place_nodes(const NodeView& grid, const VertexPlaces& places,
                    const std::vector<std::size_t>& vertices) {
     const auto& [x, y, z] = places.of;

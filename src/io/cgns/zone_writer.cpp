@@ -23,8 +23,8 @@ class MovedCoordinate {
           details.node_of_vertex.empty() ? static_cast<Index>(v) : details.node_of_vertex[v];
       if (first[at(node)] == old.size()) first[at(node)] = v;
       const double value = place_in_space(&details, mesh.coordinates, node)[direction];
-      // Bits are compared, since -0 is kept, too. The vertices of a closed cut may lie slightly
-      // apart; they stay so while their node does not move.
+      // Compares bits, so that -0 is kept as well. The vertices of a closed cut may lie slightly
+      // apart; they keep their places while their node does not move.
       if (bits(value) == bits(old[first[at(node)]])) continue;
       values_[v] = value;
       moved_ = true;
@@ -53,7 +53,7 @@ class MovedCoordinate {
   bool single_, moved_ = false;
 };
 
-/// Normals are those of the mesh before it moved. Returns null if there are none.
+/// Removes normals, which are wrong once the mesh has moved. Returns null if there are none.
 NodePtr without_normals(const Node& zone, std::vector<std::string>& dropped) {
   const NodePtr all = child_labelled(zone, "ZoneBC_t");
   if (!all || all->is_link()) return nullptr;
@@ -151,7 +151,7 @@ std::shared_ptr<Node> make_section(std::string name, std::int64_t type, Index fi
   return section;
 }
 
-/// Children of a boundary condition that say where it is, or hold values there.
+/// True for children of a boundary condition that give its location or hold values there.
 bool of_place(const Node& child) {
   constexpr std::array labels{"IndexRange_t", "IndexArray_t", "GridLocation_t", "BCDataSet_t",
                               "InwardNormalIndex_t"};
@@ -159,7 +159,7 @@ bool of_place(const Node& child) {
          child.name.starts_with("InwardNormal");
 }
 
-/// A part of the old zone that is a region of the mesh and is written as that.
+/// True for a part of the old zone that is a region of the mesh, and is written from the region.
 bool names_cells(const Node& part) {
   const NodePtr location = child_labelled(part, "GridLocation_t");
   return part.label == "ZoneSubRegion_t" && location && text_of(*location) == "CellCenter";
@@ -203,7 +203,7 @@ class ZoneMaker {
     zone_->children.push_back(std::move(grid));
   }
 
-  /// Takes over what the old zone says beyond its elements.
+  /// Copies the nodes of the old zone that do not depend on its elements.
   void carry() {
     constexpr std::array replaced{"ZoneType_t", "Elements_t", "ZoneBC_t"};
     constexpr std::array lost{"FlowSolution_t",  "DiscreteData_t",      "ZoneGridConnectivity_t",
@@ -235,7 +235,7 @@ class ZoneMaker {
     }
   }
 
-  /// Units, classes and remarks of the coordinates.
+  /// Copies units, classes and remarks of the coordinates.
   void carry_units(const Node& old_grid) {
     const NodePtr made = zone_->children.back();
     auto grid = std::make_shared<Node>(*made);
@@ -251,7 +251,7 @@ class ZoneMaker {
     *zone_ = *with_child(*zone_, *made, grid);
   }
 
-  /// Elements need no MIXED section where those of each type follow one another.
+  /// True if the elements of each type are consecutive, so that no MIXED section is needed.
   bool in_runs() const {
     std::set<ElementType> seen;
     for (Index e = 0; e < topology_.element_count(); ++e) {
@@ -289,7 +289,7 @@ class ZoneMaker {
     add_starts(starts);
   }
 
-  /// Of the MIXED section that was added last.
+  /// Adds the offsets of the MIXED section that was added last.
   void add_starts(const Integers& starts) {
     if (!source_.start_offsets) return;
     auto section = std::make_shared<Node>(*zone_->children.back());
@@ -297,7 +297,7 @@ class ZoneMaker {
     zone_->children.back() = std::move(section);
   }
 
-  /// The section of a marker, whose elements follow `first`. Returns its name.
+  /// Adds the section of a marker, with elements numbered after `first`. Returns its name.
   std::string add_sides(const Marker& marker, Index first) {
     const auto number = [](const Face& face) {
       if (face.size() == 2) return std::int64_t{bar_2};
@@ -353,7 +353,7 @@ class ZoneMaker {
     zone_->children.push_back(std::move(conditions));
   }
 
-  /// Regions are parts of the zone that name its cells: sections would have to change the order of
+  /// Regions become parts of the zone that list cells, because sections would need another order of
   /// the elements.
   void add_regions() {
     const auto of_element = topology_.element_regions();
@@ -381,7 +381,7 @@ class ZoneMaker {
                         "\": CGNS allows no such name here");
   }
 
-  /// The condition of the old zone that the marker came from, without its place, or a new one.
+  /// The marker's condition in the old zone without its location, or a new one.
   std::shared_ptr<Node> make_condition(const Marker& marker, const std::string& name,
                                        const std::set<std::string>& taken) {
     if (const NodePtr old = old_condition(marker.name)) {

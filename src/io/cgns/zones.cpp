@@ -47,7 +47,7 @@ ZoneHead read_head(const ZonePlace& place) {
   head.cell_dimension = static_cast<int>(dimensions[0]);
   head.physical_dimension = static_cast<int>(dimensions[1]);
   const auto type = zone.first("ZoneType_t");
-  const std::string kind = type ? type->text() : "Structured";  // what the SIDS take it for
+  const std::string kind = type ? type->text() : "Structured";  // default of the SIDS
   if (kind != "Structured" && kind != "Unstructured")
     type->fail(in_quotes(kind), "Structured or Unstructured");
   head.structured = kind == "Structured";
@@ -99,7 +99,7 @@ VertexPlaces read_places(const NodeView& grid, const ZoneHead& head) {
   VertexPlaces places;
   constexpr std::array wanted{"", "", "CoordinateX and CoordinateY",
                               "CoordinateX, CoordinateY and CoordinateZ"};
-  // A third coordinate counts in space only: the plane has none.
+  // A third coordinate counts only in space; a base in the plane has none.
   for (std::size_t k = 0; k < at(head.physical_dimension); ++k) {
     const auto node = coordinate_node(grid, k);
     if (!node && k < at(head.cell_dimension)) {
@@ -185,7 +185,7 @@ constexpr std::array<std::string_view, 57> names{"ElementTypeNull",
                                                  "HEXA_98",
                                                  "HEXA_125"};
 
-/// Corners are numbered alike (core/mesh/element_type.h).
+/// CGNS and winslow number the corners in the same way (core/mesh/element_type.h).
 constexpr std::array<std::pair<std::int64_t, ElementType>, 6> ours{{{5, ElementType::triangle},
                                                                     {7, ElementType::quadrilateral},
                                                                     {10, ElementType::tetrahedron},
@@ -261,7 +261,7 @@ Section open_section(const NodeView& view) {
   return {view, data[0], range[0], range[1]};
 }
 
-/// Reads the elements of one section after the other.
+/// Reads the elements of the sections in turn.
 class SectionReader {
  public:
   SectionReader(const ZoneHead& head, MeshData& mesh, ZoneSides& sides)
@@ -278,8 +278,8 @@ class SectionReader {
       const NodeView view = required(section.view, "ElementConnectivity");
       view_ = &view;
       connectivity_ = view.integers();
-      // Of MIXED and NGON_n it says no more than the connectivity does; NGON_n written by CGNS 4
-      // holds the corners of each element there and nothing else.
+      // The offsets are needed only for NGON_n written by CGNS 4, whose connectivity holds nothing
+      // but the corners. In MIXED and older NGON_n the connectivity is sufficient.
       starts_ = section.type == ngon_n ? read_starts() : std::vector<std::int64_t>();
       for (std::int64_t k = 0; k < section.count(); ++k) read_element(k);
       if (at_ != connectivity_.size()) {

@@ -76,7 +76,7 @@ class DescriptorBuffer : public std::streambuf {
   throw OutputError(path.string() + ": cannot be written: " + std::strerror(error));
 }
 
-/// Has `write` fill a buffer; false where it did not take all.
+/// Lets `write` fill a buffer; false if the buffer did not accept everything.
 bool write_through(std::streambuf& buffer, const std::function<void(std::ostream&)>& write) {
   std::ostream out(&buffer);
   write(out);
@@ -103,12 +103,12 @@ void fill(int fd, const fs::path& path, bool flush_to_disk,
     ::close(fd);
     throw;
   }
-  // Some file systems (network, quota) tell only here that the data did not fit.
+  // Some file systems (network, quota) report only here that the data did not fit.
   if (::close(fd) != 0 && error == 0) error = errno;
   if (error != 0) fail(path, error);
 }
 
-/// Where a chain of symbolic links ends; the file there need not exist.
+/// The final target of a chain of symbolic links, which need not exist.
 fs::path resolve(fs::path path) {
   constexpr int longest_chain = 40;
   std::error_code error;
@@ -126,8 +126,8 @@ mode_t default_mode() {
   return 0666 & ~mask;
 }
 
-/// How the names of temporary files for a target begin. The target's own name may be as long as a
-/// name can be, so its hash (FNV-1a) stands for it.
+/// Prefix of the names of temporary files for a target. The target's name may have the maximum
+/// length, so the prefix holds its hash (FNV-1a) instead.
 std::string temporary_prefix(const fs::path& target) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : target.filename().string())
@@ -138,7 +138,7 @@ std::string temporary_prefix(const fs::path& target) {
   return text.data();
 }
 
-/// Removes temporary files of a target that nobody writes any more: who does holds a lock.
+/// Removes abandoned temporary files of a target: those without the lock that a writer holds.
 void remove_orphans(const fs::path& folder, const std::string& prefix) {
   std::error_code error;
   for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
@@ -150,7 +150,7 @@ void remove_orphans(const fs::path& folder, const std::string& prefix) {
   }
 }
 
-/// A temporary file, locked for as long as it is not closed and `lock` neither.
+/// A temporary file, locked until it and `lock` are closed.
 struct Temporary {
   std::string name;
   int fd = -1, lock = -1;
@@ -166,7 +166,7 @@ Temporary make_temporary(const fs::path& folder, const fs::path& target) {
     file.fd = ::mkostemp(file.name.data(), O_CLOEXEC);
     if (file.fd < 0) fail(target, errno);
     ::flock(file.fd, LOCK_EX | LOCK_NB);
-    // Another writer may have taken it for an orphan before it was locked.
+    // Another writer may have removed the file as an orphan before it was locked.
     struct stat status {};
     if (::fstat(file.fd, &status) == 0 && status.st_nlink > 0) {
       file.lock = ::fcntl(file.fd, F_DUPFD_CLOEXEC, 0);
@@ -177,7 +177,7 @@ Temporary make_temporary(const fs::path& folder, const fs::path& target) {
   fail(target, EBUSY);
 }
 
-/// A file that is written under a temporary name; its target stays as it was until commit().
+/// A file that is written under a temporary name; commit() replaces its target.
 class Replacement {
  public:
   Replacement(const fs::path& target, mode_t mode)
@@ -196,7 +196,7 @@ class Replacement {
   Replacement(const Replacement&) = delete;
   Replacement& operator=(const Replacement&) = delete;
 
-  /// Once.
+  /// Call only once.
   void write(const std::function<void(std::ostream&)>& write) {
     fill(temporary_.fd, target_, true, write);
   }
@@ -205,7 +205,8 @@ class Replacement {
     if (::rename(temporary_.name.c_str(), target_.c_str()) != 0) fail(target_, errno);
     ::close(temporary_.lock);
     temporary_.lock = -1;
-    // The new name is safe only once the folder is: best effort, not every file system can.
+    // The renaming is safe only after the folder is flushed too. Not every file system supports
+    // this, so errors are ignored.
     const int folder_fd = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder_fd >= 0) {
       ::fsync(folder_fd);
@@ -223,8 +224,8 @@ class Replacement {
   Temporary temporary_;
 };
 
-/// What writes to a path have to go through: null for a device or a pipe, which can only be written
-/// to. Throws OutputError.
+/// The replacement for a path; null for a device or a pipe, which must be written directly. Throws
+/// OutputError.
 std::unique_ptr<Replacement> replacement_of(const fs::path& path) {
   const fs::path target = resolve(path);
   struct stat status {};
@@ -234,7 +235,7 @@ std::unique_ptr<Replacement> replacement_of(const fs::path& path) {
     return std::make_unique<Replacement>(target, default_mode());
   }
   if (S_ISDIR(status.st_mode)) fail(path, EISDIR);
-  // A write-protected file in a writable folder could be replaced all the same; nobody wants that.
+  // A write-protected file in a writable folder could still be replaced, which no user expects.
   if (::access(target.c_str(), W_OK) != 0) fail(path, errno);
   if (!S_ISREG(status.st_mode)) return nullptr;
   return std::make_unique<Replacement>(target, status.st_mode & 07777);

@@ -14,8 +14,8 @@ namespace {
 /// zlib's window, and the flag that asks for a gzip header.
 constexpr int gzip_window = 15 + 16;
 
-/// Text of meshes shrinks to a fifth or a tenth. What grows to more than this many times its size,
-/// and is large, was made to fill the memory.
+/// Text of meshes is compressed to a fifth or a tenth. A large file that grows by more than this
+/// factor is an attempt to fill the memory.
 constexpr std::size_t largest_growth = 200, small_enough = std::size_t{64} << 20;
 
 Bytef* bytes_of(char* data) { return reinterpret_cast<Bytef*>(data); }
@@ -52,7 +52,7 @@ std::string gunzip(std::string_view bytes, const std::string& name) {
   std::string_view rest = bytes;
   for (;;) {
     const auto taken = std::min<std::size_t>(rest.size(), std::numeric_limits<uInt>::max());
-    z.next_in = bytes_of(const_cast<char*>(rest.data()));  // zlib reads only
+    z.next_in = bytes_of(const_cast<char*>(rest.data()));  // zlib does not write here
     z.avail_in = static_cast<uInt>(taken);
     z.next_out = bytes_of(piece.data());
     z.avail_out = static_cast<uInt>(piece.size());

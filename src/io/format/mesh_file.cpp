@@ -20,8 +20,8 @@ std::string counted(std::size_t n, const char* what) {
   return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s");
 }
 
-/// Sentences about edges that a marker names twice, or that two markers share: no error, but
-/// solvers take only one boundary condition for an edge.
+/// Sentences about edges that a marker names twice, or that two markers share. They are no error,
+/// but solvers accept only one boundary condition per edge.
 std::vector<std::string> marker_overlaps(const Topology& topology) {
   if (!topology.markers().from_file()) return {};
   std::vector<Named> all;
@@ -50,7 +50,7 @@ std::vector<std::string> marker_overlaps(const Topology& topology) {
   return warnings;
 }
 
-/// Content wins over the extension; the extension decides only where the content says nothing.
+/// Detects the format by content; the extension decides only if the content is not conclusive.
 const MeshFormat* detect(const Source& source, const std::filesystem::path& path,
                          std::vector<std::string>& warnings) {
   const MeshFormat* by_extension = format_of_extension(path);
@@ -66,7 +66,7 @@ const MeshFormat* detect(const Source& source, const std::filesystem::path& path
   return by_content ? by_content : by_extension;
 }
 
-/// The place in the file of what an error of make_mesh is about.
+/// The place in the file that caused an error of make_mesh.
 std::size_t place_of(const MeshError& error, const SourceMap& where) {
   const auto offset = [](const std::vector<std::size_t>& offsets, Index i) {
     const auto k = static_cast<std::size_t>(i);
@@ -96,8 +96,7 @@ void check_dimension(const std::filesystem::path& path, const Topology& topology
                    std::string(mesh_kind(topology)));
 }
 
-/// The format whose mesh a folder is, or a file that stands for one; null: the path is that of an
-/// ordinary file.
+/// The format of a path that is a mesh folder or stands for one; null for an ordinary file.
 const MeshFormat* folder_format(const std::filesystem::path& path, std::filesystem::path& folder) {
   for (const MeshFormat* format : mesh_formats()) {
     if (!format->find_folder) continue;

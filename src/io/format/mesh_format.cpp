@@ -68,7 +68,7 @@ Evidence signature_if(bool found) {
 }
 
 Evidence keyword_on_line(const Content& content, bool (*is_keyword)(std::string_view line)) {
-  // Comments and blank lines may be many; of other lines the first must do.
+  // There may be many comments and blank lines; of other lines only the first few are tested.
   constexpr int lines_to_see = 200, other_lines_to_see = 50;
   std::string_view rest = content.start;
   for (int i = 0; i < lines_to_see && !rest.empty(); ++i) {

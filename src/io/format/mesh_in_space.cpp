@@ -16,15 +16,15 @@ PointMap points_of(const std::vector<double>& xyz) {
   return {xyz.data(), 3, static_cast<Eigen::Index>(xyz.size() / 3)};
 }
 
-/// How far points may be from their plane; far from the origin coordinates are rounded by more than
-/// what counts as noise near it.
+/// Allowed distance of points from their plane. Far from the origin, rounding of coordinates
+/// exceeds the noise that is accepted near it.
 double tolerance_of(const PointMap& points) {
   const double extent = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff();
   constexpr double round_off = 8 * std::numeric_limits<double>::epsilon();
   return noise * extent + round_off * points.cwiseAbs().maxCoeff();
 }
 
-/// Points have one and the same coordinate along this axis.
+/// True if all points have the same coordinate along this axis.
 bool constant_along(const PointMap& points, int axis, double tolerance) {
   return ((points.row(axis).array() - points(axis, 0)).abs() <= tolerance).all();
 }
@@ -33,10 +33,10 @@ struct Axes {
   Vec3 u, v;
 };
 
-/// As the class says; normal: of either sign.
+/// The axes defined at PlanePlacement; the normal may have either sign.
 Axes axes_of(Vec3 normal) {
   int largest = 2;
-  // Planes at 45 degrees must not go one way or the other by their round-off.
+  // For planes at 45 degrees, round-off must not decide the choice.
   constexpr double clearly = 1 + 1e-6;
   if (std::abs(normal[1]) > clearly * std::abs(normal[largest])) largest = 1;
   if (std::abs(normal[0]) > clearly * std::abs(normal[largest])) largest = 0;
@@ -55,7 +55,7 @@ struct FittedPlane {
     distance = (normal.transpose() * arms).cwiseAbs().maxCoeff();
   }
   Vec3 centre, normal;
-  double distance = 0;  // of the farthest point
+  double distance = 0;  // distance of the farthest point
 };
 
 std::string rounded_text(double value) {
@@ -68,7 +68,7 @@ std::string rounded_text(const Vec3& v) {
   return '(' + rounded_text(v.x()) + ", " + rounded_text(v.y()) + ", " + rounded_text(v.z()) + ')';
 }
 
-/// The coordinate axis that a vector is; -1 for another vector.
+/// Index of the coordinate axis that equals a vector; -1 for other vectors.
 int axis_of(const Vec3& v) {
   for (const int axis : {0, 1, 2}) {
     if (v == Vec3::Unit(axis)) return axis;
@@ -84,7 +84,7 @@ std::optional<PlanePlacement> PlanePlacement::find(const std::vector<double>& xy
   if (xyz.empty()) return std::nullopt;
   const PointMap points = points_of(xyz);
   const double tolerance = tolerance_of(points);
-  // Exact axes, so that coordinates are those of the file.
+  // Use exact axes, so that in-plane coordinates equal those of the file.
   for (const int axis : {2, 1, 0}) {
     if (!constant_along(points, axis, tolerance)) continue;
     const Vec3 u = Vec3::Unit(axis == 0 ? 1 : 0), v = Vec3::Unit(axis == 2 ? 1 : 2);
@@ -146,7 +146,7 @@ bool from_behind(const Mesh& mesh, const FormatDetails* details) {
          details->plane->from_behind;
 }
 
-/// z of a node as the source of the mesh had it (0 without details).
+/// z of a node in the source of the mesh (0 without details).
 double plane_z(const FormatDetails* details, Index node) {
   if (details == nullptr || details->plane_z.empty()) return 0.0;
   const auto& z = details->plane_z;
@@ -175,7 +175,7 @@ FileCorners MeshInSpace::element(Index e) const {
   FileCorners file;
   file.count = corners.size();
   std::ranges::copy(corners, file.nodes.begin());
-  // The first corner stays the first.
+  // Reversing keeps the first corner.
   if (from_behind(mesh_, details_))
     std::reverse(file.nodes.begin() + 1, file.nodes.begin() + file.count);
   return file;

@@ -34,14 +34,14 @@ std::size_t first_off_level(const std::vector<double>& xyz) {
   return n;
 }
 
-/// Nodes of a plane z = constant.
+/// Sets the nodes of a mesh in a plane z = constant.
 void set_level_nodes(const std::vector<double>& xyz, ParsedMesh& mesh) {
   const std::size_t n = xyz.size() / 3;
   bool exact = true;
   for (std::size_t i = 0; i < n; ++i) {
     mesh.data.coordinates.set_xy(static_cast<Index>(i), {xyz[3 * i], xyz[3 * i + 1]});
     const double z = xyz[3 * i + 2];
-    // Compared with the sign of zero, for the file should come back as it was.
+    // The sign of zero counts, so that the file is written back unchanged.
     exact = exact && z == xyz[2] && std::signbit(z) == std::signbit(xyz[2]);
   }
   auto& kept = mesh.details->plane_z;
@@ -51,7 +51,7 @@ void set_level_nodes(const std::vector<double>& xyz, ParsedMesh& mesh) {
   }
 }
 
-/// Sum of the signed areas of all elements whose nodes there are.
+/// Sum of the signed areas of all elements whose nodes exist.
 double total_area(const MeshData& data) {
   if (data.coordinates.empty()) return 0;
   const PlanePoints x(data.coordinates);
@@ -59,7 +59,7 @@ double total_area(const MeshData& data) {
   double area2 = 0;
   for (Index e = 0; e < data.element_count(); ++e) {
     const auto corners = data.element(e);
-    if (!std::ranges::all_of(corners, known)) continue;  // make_mesh says what is wrong
+    if (!std::ranges::all_of(corners, known)) continue;  // make_mesh reports the error
     const Vec2 origin = x[corners[0]];
     for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
       const Vec2 a = x[corners[k]] - origin, b = x[corners[k + 1]] - origin;
@@ -82,7 +82,7 @@ void check_finite(const Source& source, const ParsedMesh& mesh) {
 
 namespace {
 
-/// False, and nothing is done, if the nodes lie in no plane.
+/// Sets in-plane coordinates. Returns false without changes if the nodes lie in no plane.
 bool set_in_plane(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh) {
   const std::size_t n = xyz.size() / 3;
   for (std::size_t i = 0; i < n; ++i) {

@@ -17,7 +17,7 @@ std::string names_of(const GivenPairs& given) {
          (given.second == given.first ? "" : " and \"" + given.second + "\"");
 }
 
-/// By how much nodes may have come apart by rounding.
+/// Distance between matching nodes that rounding can cause.
 double rounding(const Coordinates& x) {
   double largest = 0;
   for (const double value : x.values()) largest = std::max(largest, std::abs(value));

@@ -59,7 +59,7 @@ std::span<const Index> Details::nodes_beside(const Item& item) const {
 namespace {
 
 /// Physical groups of one dimension: those with a name first, as $PhysicalNames lists them, then
-/// the others as they turn up.
+/// the others in the order of their first use.
 GroupIndex groups_of(const Details& details, int dimension) {
   GroupIndex groups{std::string(entity_names[at(dimension)]) + '_'};
   for (const PhysicalName& name : details.physical_names) {
@@ -68,7 +68,7 @@ GroupIndex groups_of(const Details& details, int dimension) {
   return groups;
 }
 
-/// Gmsh marks with the sign of a tag that the group holds the reversed entity.
+/// Tag without sign: a negative tag means that the group holds the reversed entity.
 int group_tag(int signed_tag) {
   return signed_tag == std::numeric_limits<int>::min() ? 0 : std::abs(signed_tag);
 }
@@ -108,7 +108,7 @@ void collect_groups(std::span<const std::size_t> offsets, Details& details, Pars
     if (is_side && tags.empty()) ++loose_sides;
     for (const int tag : tags) {
       if (is_side) {
-        // In 2.2 the nodes of the element are in the order of the group already.
+        // In 2.2 the nodes of the element already have the order of the group.
         const bool reversed = details.version_4 && tag < 0;
         add_marker_side(markers.find(group_tag(tag)), reversed ? ~item.index : item.index,
                         offsets[i], details, mesh);
@@ -133,7 +133,7 @@ namespace {
 
 using Box = std::array<double, 6>;
 
-/// Grows the boxes of entities, found by dimension and tag.
+/// Extends the boxes of entities, which are found by dimension and tag.
 class BoxCollector {
  public:
   BoxCollector(const Details& details, const Coordinates& coordinates)
@@ -235,7 +235,7 @@ std::vector<std::array<int, 2>> add_regions(const Topology& topology, Details& d
     entities.push_back({rest, 0});
     return entities;
   }
-  // Tags count by dimension; one that no marker has is kinder to readers that forget that.
+  // Tags are unique only per dimension. A tag that no marker uses helps readers that ignore this.
   int tag = 1;
   for (const PhysicalName& name : details.physical_names) tag = std::max(tag, name.tag + 1);
   details.entities[at(dimension)].push_back({rest, {}, {tag}, {}, {}});

@@ -78,7 +78,7 @@ std::vector<const PeriodicLink*> links_of_sides(const Details& details) {
   return links;
 }
 
-/// Which markers the entities around a mesh are in.
+/// The markers of the entities around a mesh.
 class MarkedEntities {
  public:
   explicit MarkedEntities(const Details& details) : entities_(details.marker_sides.size()) {
@@ -98,13 +98,13 @@ class MarkedEntities {
       linked_.insert({link->entity, link->master});
   }
 
-  /// An entity of a marker that no link joins; none: all are.
+  /// An entity of a marker that no link joins; none if links join all of them.
   std::optional<int> loose(std::size_t marker) const {
     for (const int entity : entities_[marker])
       if (!linked_.contains(entity)) return entity;
     return std::nullopt;
   }
-  /// The marker of an entity; of several, one that is periodic as a whole.
+  /// The marker of an entity; if there are several, preferably one that is periodic as a whole.
   std::optional<std::size_t> marker(int entity) const {
     const auto found = markers_.find(entity);
     if (found == markers_.end()) return std::nullopt;
@@ -128,10 +128,10 @@ bool same_affine(const std::vector<double>& a, const std::vector<double>& b) {
   });
 }
 
-/// Pairs as they are put together.
+/// A pair of markers under construction.
 struct Draft {
   GivenPairs pairs;
-  const PeriodicLink* first;  ///< of its links
+  const PeriodicLink* first;  ///< the first of its links
 };
 
 class PairBuilder {
@@ -196,8 +196,8 @@ class PairBuilder {
     return drafts_.back();
   }
 
-  /// Holds the nodes of several pairs: sides of two directions meet there. A pair that two entities
-  /// list counts once.
+  /// Holds the nodes that are in several pairs, where sides of two directions meet. A pair of nodes
+  /// that two entities list counts once.
   void hold_corners() {
     std::map<Index, int> uses;
     for (Draft& draft : drafts_) {
@@ -219,7 +219,7 @@ class PairBuilder {
     }
   }
 
-  /// A node of the markers that no pair has.
+  /// Finds a node of the markers that is in no pair.
   void find_gaps(Draft& draft) const {
     if (!draft.pairs.fault.empty()) return;
     for (const std::string& marker : {draft.pairs.first, draft.pairs.second}) {

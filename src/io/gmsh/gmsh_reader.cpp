@@ -9,7 +9,7 @@ namespace winslow::io::gmsh {
 std::optional<Index> NodeTags::build(const std::vector<std::int64_t>& tags) {
   if (tags.empty()) return std::nullopt;
   const auto [low, high] = std::minmax_element(tags.begin(), tags.end());
-  // The reader lets only positive tags in, so the difference cannot overflow.
+  // The reader accepts only positive tags, so the difference cannot overflow.
   const auto range = static_cast<std::uint64_t>(*high - *low);
   const bool dense = range < 8 * tags.size() + 1024;
   first_ = *low;
@@ -45,7 +45,7 @@ namespace {
 /// Reads $Nodes.
 class NodeReader {
  public:
-  /// What is read goes into `details` and `mesh`, which outlive this, as does the scanner.
+  /// Reads into `details` and `mesh`; these and the scanner must outlive the reader.
   NodeReader(Scanner& scan, Details& details, ParsedMesh& mesh)
       : scan_(scan), details_(details), mesh_(mesh) {}
 
@@ -62,7 +62,7 @@ class NodeReader {
   const NodeTags& tags() const { return tags_; }
   /// x, y, z of each node.
   const std::vector<double>& xyz() const { return xyz_; }
-  /// Some nodes have parametric coordinates, which are not kept.
+  /// True if some nodes have parametric coordinates, which are not kept.
   bool parametric() const { return parametric_; }
 
  private:
@@ -133,7 +133,7 @@ class NodeReader {
     parametric_ = parametric_ || extra > 0;
     for (Index i = 0; i < n; ++i) {
       const Expected expected{"coordinates of node", before + i, total};
-      // From here on the line of the node is that of its coordinates, where most mistakes are.
+      // From now on errors name the line of the node's coordinates, where most mistakes are.
       mesh_.where.nodes[static_cast<std::size_t>(before + i)] = values.begin();
       for (int k = 0; k < 3; ++k) xyz_.push_back(values.real(expected));
       for (int k = 0; k < extra; ++k) values.real(expected);
@@ -175,8 +175,7 @@ class NodeReader {
 /// Reads $Elements.
 class ElementReader {
  public:
-  /// What is read goes into `details` and `mesh`, which outlive this, as do the scanner and the
-  /// tags of the nodes.
+  /// Reads into `details` and `mesh`; these, the scanner and the node tags must outlive the reader.
   ElementReader(Scanner& scan, const NodeTags& node_tags, Details& details, ParsedMesh& mesh)
       : scan_(scan), node_tags_(node_tags), details_(details), mesh_(mesh) {}
 
@@ -190,9 +189,9 @@ class ElementReader {
     distribute();
   }
 
-  /// Where each of Details::items begins in the file.
+  /// Byte offset of each of Details::items in the file.
   const std::vector<std::size_t>& offsets() const { return offsets_; }
-  /// Some elements belong to partitions, which are not kept.
+  /// True if some elements belong to partitions, which are not kept.
   bool partitioned() const { return partitioned_; }
 
  private:
@@ -319,7 +318,7 @@ class ElementReader {
     offsets_.push_back(record.offset);
   }
 
-  /// Elements of the mesh are those of the highest dimension.
+  /// Sorts the items: those of the highest dimension become the elements of the mesh.
   void distribute() {
     for (const Item& item : details_.items)
       details_.dimension = std::max(details_.dimension, info_of(item.shape).dimension);
@@ -353,7 +352,8 @@ class ElementReader {
     }
   }
 
-  /// MSH 2 holds an element that is in several physical groups once for each of them.
+  /// True if an item repeats the last one: MSH 2 lists an element once for each of its physical
+  /// groups.
   bool repeats(const Item& last, const Item& item, std::span<const Index> corners) const {
     if (details_.version_4 || mesh_.data.element_count() == 0) return false;
     if (last.shape != item.shape || last.entity != item.entity || last.physical == item.physical) {
@@ -370,11 +370,11 @@ class ElementReader {
   Details& details_;
   ParsedMesh& mesh_;
   std::vector<std::size_t> offsets_;
-  std::vector<Index> corners_;  // of all items; which are elements is known at the end
+  std::vector<Index> corners_;  // of all items; the elements among them are known only at the end
   bool partitioned_ = false;
 };
 
-/// Reads the sections of one MSH file in the order in which they come.
+/// Reads the sections of one MSH file in their order.
 class Reader {
  public:
   explicit Reader(Source& source) : source_(source), scan_(source) { mesh_.details = details_; }
@@ -455,7 +455,7 @@ class Reader {
     if (name == "Periodic") {
       details_->links = read_links(scan_, details_->version_4, details_->binary);
       end_section(name);
-      // For the way back byte by byte.
+      // Keep the bytes, to write them back unchanged.
       details_->sections.back().raw = source_.text().substr(begin, scan_.offset() - begin);
       return;
     }

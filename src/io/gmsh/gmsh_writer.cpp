@@ -95,7 +95,7 @@ class Writer {
     for (std::size_t d = 0; d < 4; ++d) {
       for (std::size_t i = 0; i < details_.entities[d].size(); ++i) {
         const Entity& entity = details_.entities[d][i];
-        // A box that still is what it was when read stays as the file had it (Gmsh pads boxes).
+        // If the nodes' box has not changed since reading, keep the file's box (Gmsh pads boxes).
         const bool moved = boxes[d][i] && boxes[d][i] != entity.mesh_box;
         const auto& box = moved ? *boxes[d][i] : entity.box;
         values_.integer(entity.tag);
@@ -276,7 +276,7 @@ std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Format
   }
   if (kept) warnings = stale_pairs(*details, mesh);
   if (kept && details->binary != options.binary) {
-    // Unknown sections are bytes in one encoding and cannot be turned into the other.
+    // Unknown sections are bytes in one encoding and cannot be converted to the other.
     Details converted = *details;
     for (auto& section : converted.sections)
       if (section.name == "Periodic") section.raw.clear();

@@ -43,7 +43,7 @@ class Reader {
   }
 
  private:
-  /// The next word that is no comment; names of groups stand in comments.
+  /// The next word that is no comment; comments give the names of groups.
   std::string_view next_word() {
     for (;;) {
       const auto word = scan_.next_word();
@@ -69,7 +69,7 @@ class Reader {
     details_->sections.push_back({Part::raw, "# " + std::string(comment) + "\n"});
   }
 
-  /// Triangles are elements or parts of the boundary, as the sections further down say.
+  /// Looks ahead at the later sections, which decide whether triangles are elements or sides.
   void find_cell_dimension() {
     details_->cell_dimension = 2;
     for (const Kind& kind : kinds()) {
@@ -149,7 +149,7 @@ class Reader {
         if (k == 0) mesh_.where.nodes.push_back(source_.offset_of(number));
         xyz_.push_back(*value);
       }
-      xyz_.resize(3 * at(i + 1));  // z is 0 where the file has none
+      xyz_.resize(3 * at(i + 1));  // z is 0 if the file has none
       details_->vertex_references.push_back(reference({"the reference of vertex", i, n}));
     }
     details_->sections.push_back({Part::vertices, {}});
@@ -184,7 +184,7 @@ class Reader {
     details_->sections.push_back({Part::cells, {}, &kind, element, first, n});
   }
 
-  /// Vertices count from 1; they may follow later.
+  /// Vertices are numbered from 1; they may come later in the file.
   Index read_vertex(const Expected& expected) {
     const auto word = next_word();
     const auto value = parse_integer(word);
@@ -196,7 +196,7 @@ class Reader {
     return static_cast<Index>(*value - 1);
   }
 
-  /// Keeps what is up to the next keyword.
+  /// Keeps the text up to the next keyword.
   void keep_unknown(std::string_view word) {
     const std::size_t begin = source_.offset_of(word);
     std::size_t end = scan_.offset();
@@ -261,7 +261,7 @@ class Reader {
   std::set<std::string> keywords_;
   GroupIndex markers_{"marker_"}, regions_{"region_"};
   std::string unknown_;
-  std::string_view word_;  // that integer() has read
+  std::string_view word_;  // last word read by integer()
   std::size_t last_ = 0;   // offset of the vertex number read last
 };
 
@@ -272,7 +272,7 @@ using Order = std::vector<Index>;
 
 class Writer {
  public:
-  /// element_order: empty, if sections are ranges of the elements.
+  /// element_order: empty if each section is a range of the elements.
   Writer(std::ostream& out, const Mesh& mesh, const Details& details, const FormatDetails* place,
          Order element_order)
       : out_(out),
@@ -336,7 +336,7 @@ class Writer {
   Order order_;
 };
 
-/// What is written of a mesh from another format.
+/// Details and element order for a mesh from another format.
 struct Prepared {
   Details details;
   Order order;
@@ -374,7 +374,7 @@ void add_elements(const Topology& topology, const Kind& kind, Prepared& made) {
   if (count > 0) made.details.sections.push_back({Part::cells, {}, &kind, true, first, count});
 }
 
-/// Comments that hold names: they end with their line.
+/// Writes comments that hold names. A line end in a name would end the comment.
 template <class Group>
 std::string name_lines(const char* what, const std::vector<Group>& groups,
                        const std::vector<int>& tags) {

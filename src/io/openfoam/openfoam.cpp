@@ -30,7 +30,7 @@ fs::path find_folder(const fs::path& path) {
   for (const fs::path& folder : {start, start / "polyMesh", start / "constant" / "polyMesh"}) {
     if (holds_mesh(folder)) return folder;
   }
-  // A file .foam is empty: only the folder that it stands for can be what is missing.
+  // A .foam file is empty, so the missing item can only be the folder that it stands for.
   return is_folder ? fs::path() : start / "constant" / "polyMesh";
 }
 
@@ -56,9 +56,9 @@ struct Patch {
   std::vector<Face> faces;
 };
 
-/// Faces in OpenFOAM's order: first those between two cells, by the lower one's number, then by the
-/// higher one's ("upper triangular"), then those of each patch. Seen from outside the owner
-/// counter-clockwise.
+/// Faces in OpenFOAM's order: first inner faces, sorted by the lower and then by the higher cell
+/// number ("upper triangular"), then those of each patch. Faces are counter-clockwise seen from
+/// outside the owner.
 struct FaceList {
   std::vector<Face> faces;
   std::vector<Index> owner, neighbour;
@@ -89,7 +89,7 @@ void add_inner_faces(const Topology& topology, FaceList& list) {
   }
 }
 
-/// True if both go round the same way.
+/// True if both faces have the same orientation.
 bool same_direction(const Face& a, const Face& b) {
   const auto second = [](const Face& face, Index first) {
     std::size_t k = 0;
@@ -99,7 +99,8 @@ bool same_direction(const Face& a, const Face& b) {
   return second(a, a[0]) == second(b, a[0]);
 }
 
-/// Boundary faces by patches: of each marker those that no earlier one has, then those of none.
+/// Boundary faces by patches: for each marker its faces that no earlier marker has, then the faces
+/// without a marker.
 std::vector<Patch> patches_of(const Topology& topology, std::vector<std::string>& warnings) {
   std::vector<Patch> patches;
   std::vector<bool> taken(at(topology.face_count()), false);
@@ -138,7 +139,7 @@ std::vector<Patch> patches_of(const Topology& topology, std::vector<std::string>
   return patches;
 }
 
-/// Words of OpenFOAM end at blanks and punctuation.
+/// Replaces blanks and punctuation in names, which would end a word of OpenFOAM.
 void make_names_safe(std::vector<Patch>& patches, std::vector<std::string>& warnings) {
   std::set<std::string> taken;
   for (Patch& patch : patches) {
@@ -199,7 +200,7 @@ void write_boundary(std::ostream& stream, const std::vector<Patch>& patches, std
   out << ")\n";
 }
 
-/// The folder of a path to write to, made if it is not there.
+/// The folder of an output path; made if it does not exist.
 fs::path make_folder(const fs::path& path) {
   const fs::path plain = path.has_filename() ? path : path.parent_path();
   fs::path folder =
@@ -256,7 +257,7 @@ std::vector<OutputFile> files(const fs::path& path, const Mesh& mesh, const Form
   for (std::size_t k = 0; k < writes.size(); ++k) {
     const fs::path plain = folder / file_names[k];
     const fs::path packed = folder / (std::string(file_names[k]) + ".gz");
-    // The other one would be read by OpenFOAM, or by us, instead.
+    // Remove the other variant, which OpenFOAM or winslow might read instead.
     files.push_back({compressed ? packed : plain, writes[k], compressed ? plain : packed});
   }
   if (path.extension() == ".foam") files.push_back({path, [](std::ostream&) {}, {}});

@@ -11,7 +11,7 @@
 namespace winslow::io::openfoam {
 namespace {
 
-/// The words of one file of OpenFOAM: comments are skipped, and each of ( ) { } ; [ ] is a word.
+/// Splits a file of OpenFOAM into words: skips comments; each of ( ) { } ; [ ] is a word.
 class FoamScanner {
  public:
   FoamScanner(const Source& source, Source::Range range)
@@ -23,10 +23,10 @@ class FoamScanner {
     return scan_.offset();
   }
 
-  /// Behind the last word.
+  /// Offset right after the last word.
   std::size_t position() const { return scan_.offset(); }
   std::size_t bytes_left() const { return scan_.bytes_left(); }
-  /// Empty at the end of the file.
+  /// The next word; empty at the end of the file.
   std::string_view next() {
     skip();
     const auto text = source_.text().substr(0, range_.end);
@@ -51,7 +51,7 @@ class FoamScanner {
     return word;
   }
 
-  /// Throws InputError for another word.
+  /// Reads the next word. Throws InputError if it is another one.
   void expect(std::string_view word) {
     const auto found = next();
     if (found != word) fail(found, "'" + std::string(word) + "'");
@@ -71,7 +71,7 @@ class FoamScanner {
     return *value;
   }
 
-  /// The length of a list, whose entries take at least so many bytes each.
+  /// Reads the length of a list with entries of at least `bytes_each` bytes.
   Index count(const Expected& expected, std::size_t bytes_each) {
     const std::size_t start = offset();
     return checked_count(source_, start, integer(expected), bytes_each, bytes_left(), expected);
@@ -142,7 +142,7 @@ bool has(const Face& face, Index node) {
   return std::find(face.begin(), face.end(), node) != face.end();
 }
 
-/// The node next to `corner` in one of the faces that is not in the base; -1: there is none.
+/// The neighbour of `corner` in one of the faces that is not in the base; -1: there is none.
 Index above(Index corner, const Face& base, std::span<const Face> faces) {
   for (const Face& face : faces) {
     for (std::size_t k = 0; k < face.size(); ++k) {
@@ -167,9 +167,9 @@ bool same_faces(const Cell& cell, std::span<const Face> faces) {
   return own == given;
 }
 
-/// The element that a cell is whose faces these are, seen from outside counter-clockwise. Nothing
-/// if it is no tetrahedron, pyramid, prism or hexahedron. Corner 0 is the first node of its first
-/// triangle, of a pyramid of its quadrilateral, of a hexahedron of its first face.
+/// Builds the element with these faces, which are counter-clockwise seen from outside. Returns
+/// nothing if it is no tetrahedron, pyramid, prism or hexahedron. Corner 0 is the first node of the
+/// first triangle (pyramid: of the quadrilateral; hexahedron: of the first face).
 std::optional<Cell> build_cell(std::span<const Face> faces) {
   const auto type = type_of(faces);
   if (!type) return std::nullopt;
@@ -177,7 +177,7 @@ std::optional<Cell> build_cell(std::span<const Face> faces) {
   const std::size_t base_size = on_triangle ? 3 : 4;
   const Face& base =
       *std::ranges::find_if(faces, [&](const Face& face) { return face.size() == base_size; });
-  // Corners 0 1 2 (3) of an element go round against the outside of its base.
+  // Corners 0 1 2 (3) of an element are clockwise seen from outside its base.
   Cell cell{*type, {}};
   for (const Index node : base.reversed()) cell.corners.push_back(node);
   const bool pointed = *type == ElementType::tetrahedron || *type == ElementType::pyramid;
@@ -217,7 +217,7 @@ class Reader {
   }
 
  private:
-  /// All files, one behind the other.
+  /// Loads all files into one source.
   void open() {
     const fs::path folder = source_.name();
     std::error_code error;
@@ -283,7 +283,7 @@ class Reader {
         if (k < 4) corners[at(k)] = static_cast<Index>(node);
       }
       scan.expect(")");
-      // Those of polyhedra are looked at with their cells.
+      // Other faces belong to polyhedra and are reported with their cells.
       const bool usable = size == 3 || size == 4;
       faces_.push_back(usable ? Face(std::span<const Index>(corners.data(), at(size))) : Face());
       face_sizes_.push_back(size);
@@ -291,7 +291,7 @@ class Reader {
     scan.expect(")");
   }
 
-  /// The list of cells in one of the files.
+  /// Reads the list of cells in one of the files.
   std::vector<Index> read_labels(std::size_t file) {
     FoamScanner scan(source_, ranges_[file]);
     read_foam_header(scan);
@@ -305,7 +305,7 @@ class Reader {
     for (Index f = 0; f < n; ++f) {
       const std::size_t place = scan.offset();
       const std::int64_t cell = scan.integer({"the cell of face", f, n});
-      // A cell has at least four faces, so that there are fewer of them.
+      // A cell has at least four faces, so there are fewer cells than faces.
       if (cell < 0 || cell >= static_cast<std::int64_t>(faces_.size()))
         source_.fail(place, "cell " + std::to_string(cell),
                      "0 or more, fewer than there are faces");
@@ -319,7 +319,7 @@ class Reader {
     Index cells = 0;
     for (const Index cell : owner_) cells = std::max(cells, cell + 1);
     for (const Index cell : neighbour_) cells = std::max(cells, cell + 1);
-    // Faces of each cell, f of the owner and ~f of the neighbour, in ascending order.
+    // Faces of each cell in ascending order: f for the owner, ~f for the neighbour.
     std::vector<std::vector<Index>> faces_of(at(cells));
     for (std::size_t f = 0; f < owner_.size(); ++f) {
       faces_of[at(owner_[f])].push_back(static_cast<Index>(f));

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Bounds that are not written are infinite, which JSON has no word for.
+/// Missing bounds are infinite, because JSON cannot write infinity.
 WallPart read_part(const json& value, const std::string& path) {
   ObjectReader reader(value, path);
   WallPart part;
@@ -94,8 +94,8 @@ json write_overrides(const std::vector<ColumnOverride>& overrides) {
   return list;
 }
 
-/// Walls and overrides of layers. Reading checks all the options, of which the table has been read
-/// before. Throws JsonValueError.
+/// Reads walls and overrides of layers, then checks all layer options; the table must have been
+/// read before. Throws JsonValueError.
 void read_layer_lists(ObjectReader& reader, LayerOptions& layers) {
   layers.walls = read_list(reader.needed("walls"), reader.path_of("walls"), read_wall);
   if (layers.walls.empty()) {
@@ -117,7 +117,7 @@ void write_layer_lists(ObjectWriter& writer, const LayerOptions& layers) {
   if (!layers.overrides.empty()) writer.field("overrides", write_overrides(layers.overrides));
 }
 
-// Tables of options name the fields; what is here are lists, and what commands are made of.
+// Option tables define the simple fields; the code here handles lists and parts of commands.
 
 template <class Options>
 void option_fields(ObjectReader& reader, Options& options) {
@@ -163,7 +163,7 @@ DisplacementEntry read_entry(const json& value, const std::string& path) {
   return entry;
 }
 
-/// Displacements in the recipe itself, or in a file beside it.
+/// Reads displacements from the recipe itself, or from a file beside it.
 DisplacementTable read_table(const json& value, const std::string& path,
                              const std::filesystem::path& folder) {
   ObjectReader reader(value, path);
@@ -201,7 +201,7 @@ VcvEdit read_vcv_edit(const json& value, const std::string& path) {
   return edit;
 }
 
-// What commands hold beyond their tables.
+// Fields of commands that are not in their option tables.
 
 void read_beyond(ObjectReader& reader, EditVcvCommand& command, const std::filesystem::path&) {
   command.edits = read_list(reader.needed("nodes"), reader.path_of("nodes"), read_vcv_edit,
@@ -217,7 +217,7 @@ MovingBody read_body(const json& value, const std::string& path) {
   return body;
 }
 
-/// One body is written in the command's own keys, several are a list.
+/// A single body uses the command's own keys, several bodies are a list.
 void read_beyond(ObjectReader& reader, MoveCommand& command, const std::filesystem::path&) {
   const json* list = reader.find("bodies");
   if (!list) return reader.required("markers", command.bodies.front().markers);
@@ -291,7 +291,7 @@ void write_beyond(ObjectWriter& writer, const LayersCommand& command) {
   write_layer_lists(writer, command.layers);
 }
 
-/// What all commands have: markers, the options of their tables, those of smoothing.
+/// The fields that all commands share: markers, the options of their tables, smoothing options.
 template <class Archive, class Command>
 void common_fields(Archive& archive, Command& command) {
   if constexpr (requires { command.markers; }) archive.required("markers", command.markers);
@@ -343,8 +343,8 @@ Command command_from_json(const json& value, const std::filesystem::path& folder
   Command command = read_command(reader, folder);
   reader.finish();
   if (SmoothOptions* options = smooth_options(command)) {
-    // A file is meant beside the recipe, as tables of displacements are; wherever the command is
-    // written down next, it is that file.
+    // The path is relative to the recipe, as for tables of displacements. It is resolved here, so
+    // that the command means the same file wherever it is written next.
     std::string& reference = options->slide.reference;
     if (!reference.empty()) reference = std::filesystem::absolute(folder / reference).string();
     try {

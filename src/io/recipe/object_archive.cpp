@@ -12,13 +12,14 @@ namespace {
 
 using nlohmann::json;
 
-/// Deeper than any recipe; keeps the parser from running out of stack on "[[[[...".
+/// Deeper than any recipe; protects the parser from a stack overflow on "[[[[...".
 constexpr int deepest = 100;
 
 /// Line of the character that was read last.
 struct LineCount {
   int line = 1;
-  bool ended = false;  ///< that character was a newline: a number is known to end only after it
+  bool ended = false;  ///< that character was a newline: the end of a number is detected only after
+                       ///< it
 };
 
 /// Reads characters and counts lines. All copies of one iterator share the count.
@@ -50,7 +51,7 @@ class CountingIterator {
   LineCount* count_;
 };
 
-/// Follows the parser: the path and line of what it reads.
+/// Parser callback that tracks the path and line of each value.
 class Tracker {
  public:
   Tracker(const LineCount* count, std::map<std::string, int>* lines)
@@ -81,7 +82,7 @@ class Tracker {
     int count = 0;
     std::string key;
     std::set<std::string> keys;
-    std::string path;  ///< of the object or array
+    std::string path;  ///< path of the object or array
   };
 
   std::string item_path() const {
@@ -90,7 +91,7 @@ class Tracker {
     return level.path + (level.path.empty() ? "" : ".") + level.key;
   }
 
-  /// A value begins: in an array it has no key that was noted before.
+  /// Called when a value begins; in an array no key has been recorded for it.
   void begin_item() {
     if (stack_.empty() || !stack_.back().array) return;
     ++stack_.back().count;
@@ -163,7 +164,7 @@ JsonSource read_json(const std::filesystem::path& file) {
         [&](int, json::parse_event_t event, json& parsed) { return tracker(event, parsed); });
   } catch (const json::parse_error& error) {
     const auto bytes = static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    // The offender is the last character read: a newline in it belongs to the line it ends.
+    // The error is at the last character read; a newline belongs to the line that it ends.
     const auto end = text.begin() + std::max<std::ptrdiff_t>(0, bytes - 1);
     fail(1 + static_cast<int>(std::count(text.begin(), end, '\n')), plain(error.what()));
   } catch (const json::exception& error) {
@@ -273,7 +274,7 @@ void ObjectReader::read(const json& value, const std::string& path, Vec2& out) {
 
 namespace {
 
-/// Shares that are not named are 0, as on the command line.
+/// Shares that are not named become 0, as on the command line.
 void read_shares(const json& value, const std::string& path, const SharesOption& shares) {
   ObjectReader reader(value, path);
   for (const auto& part : shares.parts) *part.share = 0;
@@ -352,7 +353,7 @@ json write_value(const OptionValue& option) {
       option);
 }
 
-/// The rows of a table that stand in one object.
+/// The rows of a table that belong to one object.
 OptionTable rows_in(const OptionTable& table, std::string_view object) {
   OptionTable rows;
   for (const Option& option : table)
@@ -409,7 +410,7 @@ void write_options(ObjectWriter& writer, const OptionTable& table) {
       table, [&](const Option& option) { write(writer, option); },
       [&](std::string_view object) {
         const OptionTable rows = rows_in(table, object);
-        // An object without a number that is set is left out.
+        // Leave out an object in which no number is set.
         if (std::ranges::all_of(rows,
                                 [](const Option& o) { return write_value(o.value).is_null(); }))
           return;

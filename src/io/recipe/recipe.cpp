@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Version of the format: a reader refuses what it cannot know.
+/// Version of the format; a reader refuses newer versions.
 constexpr int recipe_version = 1;
 
 Recipe parse_recipe(const json& document, const std::filesystem::path& folder) {
@@ -37,8 +37,8 @@ Recipe parse_recipe(const json& document, const std::filesystem::path& folder) {
   return recipe;
 }
 
-/// A reference surface below the folder of the recipe is named from there, so that both can be
-/// moved together.
+/// Makes the path of a reference surface below the recipe's folder relative to it, so that both can
+/// be moved together.
 Command named_from(Command command, const std::filesystem::path& folder) {
   SmoothOptions* options = smooth_options(command);
   if (!options || options->slide.reference.empty()) return command;

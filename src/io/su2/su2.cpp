@@ -3,10 +3,10 @@
 namespace winslow::io::su2 {
 namespace {
 
-/// By ElementType.
+/// Indexed by ElementType.
 constexpr std::array<std::int64_t, 6> numbers{5, 9, 10, 14, 13, 12};
 
-/// The elements that a face of a mesh can be.
+/// SU2's element types for faces of a mesh.
 struct FaceElement {
   std::int64_t number;
   std::size_t corners;
@@ -45,7 +45,7 @@ std::string element_list(int dimension) {
 }
 
 std::string type_hint(std::int64_t number, const Dimensions& of, bool of_marker) {
-  // SU2 adds 100 for each order above the first of elements with Lagrange nodes.
+  // For elements with Lagrange nodes, SU2 adds 100 for each order above the first.
   if (number > 100 && number < 2000) return " (order " + std::to_string(number / 100 + 1) + ")";
   if (const auto type = any_element_of(number)) {
     if (dimension_of(*type) == of.cells - (of_marker ? 1 : 0)) return {};

@@ -46,7 +46,8 @@ std::vector<Line> lines_with(const Source& source, std::size_t begin, std::size_
   for (auto start = text.find(key, begin); start != std::string_view::npos && found.size() < most;
        start = text.find(key, start + 1)) {
     const Line line = LineReader(source, line_begin(text, start), end).next();
-    const bool seen = !found.empty() && found.back().offset == line.offset;  // again in a comment
+    const bool seen = !found.empty() && found.back().offset == line.offset;  // repeated in a
+                                                                             // comment of the line
     if (line.key == key && !seen) found.push_back(line);
   }
   return found;

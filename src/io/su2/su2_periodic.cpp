@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view not_a_section = "MARKER_ELEMS= or SEND_TO= of marker SEND_RECEIVE";
 
-/// Three numbers of a line, which may begin with a keyword of its own.
+/// Reads three numbers from a line, which may begin with a keyword.
 Vec3 read_vector(LineReader& lines, std::string_view key, const Expected& expected) {
   const Line line = lines.next_data(expected);
   if (!line.key.empty() && line.key != key) lines.fail(line.text, expected.text());
@@ -39,7 +39,7 @@ bool all_in(const std::vector<Index>& nodes, const std::set<Index>& set) {
          std::ranges::all_of(nodes, [&](Index node) { return set.contains(node); });
 }
 
-/// The points that go by one transformation: senders and their images.
+/// The points of one transformation: senders and their images.
 struct Group {
   std::vector<PeriodicPair> pairs;
   std::optional<std::size_t> first, second;  ///< markers all of whose points are among them
@@ -57,7 +57,7 @@ void find_markers(const std::vector<std::vector<Index>>& markers, Group& group) 
   }
 }
 
-/// Splits a group into the pairs of its markers and halo points beyond them.
+/// Splits a group into pairs of its markers and halo points beyond them.
 void add_group(const Group& group, const MeshData& data,
                const std::vector<std::vector<Index>>& markers, std::vector<GivenPairs>& out) {
   const std::vector<Index>& images = markers[*group.second];
@@ -179,7 +179,7 @@ std::vector<GivenPairs> PeriodicSections::pairs_of(const Source& source,
 std::vector<GivenPairs> PeriodicSections::by_place(
     const MeshData& data, const std::vector<std::vector<Index>>& markers) const {
   std::vector<GivenPairs> out;
-  constexpr double share = 0.05;  // of the shortest edge, as PeriodicPairs has it
+  constexpr double share = 0.05;  // of the shortest edge, as in PeriodicPairs
   std::set<std::size_t> taken;
   for (const Transformation& one : transformations_) {
     if (one.image.rotation.isIdentity(0) && one.image.offset.isZero(0)) continue;

@@ -12,12 +12,12 @@ namespace {
 constexpr std::string_view keywords =
     "a keyword: NDIME=, NELEM=, NPOIN=, NMARK=, MARKER_TAG= or MARKER_ELEMS=";
 
-/// What the ends of the lines of all points have in common.
+/// Finds what the line ends of all points have in common.
 class Tails {
  public:
   explicit Tails(Index count) { views_.reserve(static_cast<std::size_t>(count)); }
 
-  /// `last`: the word taken for the last coordinate of point i; `tail`: what follows it.
+  /// `last`: the word read as the last coordinate of point i; `tail`: the text after it.
   void add(Index i, std::string_view last, std::string_view tail) {
     views_.push_back(tail);
     const auto number = parse_integer(tail);
@@ -35,9 +35,9 @@ class Tails {
   }
 
   /// The first line "x number", which lacks a coordinate: the word read as its last coordinate is
-  /// the number of the point. Other lines have a number behind their coordinates; or no line has,
-  /// and every last coordinate is the number of its point, which up to three points may be by
-  /// chance.
+  /// the number of the point. Either other lines have a number after their coordinates, or no line
+  /// has one and every last coordinate is the number of its point. With up to three points the
+  /// latter may be a coincidence.
   std::optional<std::string_view> first_short() const {
     constexpr std::size_t may_be_chance = 3;
     const bool every = short_ == views_.size() && short_ > may_be_chance;
@@ -60,9 +60,9 @@ class Tails {
   bool renumbered_ = false;
 };
 
-/// Reads the lines of NPOIN=: x, y, of dimension 3 z, one after the other into `values`, #points by
-/// dimension, and whatever follows, which as in SU2 means nothing. Adds the places of the lines.
-/// Returns true if single numbers at the ends of lines do not count from 0.
+/// Reads the lines of NPOIN= into `values` (#points by dimension): x, y, and z in dimension 3. Text
+/// after them is ignored, as in SU2. Adds the places of the lines. Returns true if single numbers
+/// at the ends of lines do not count from 0.
 bool read_points(LineReader& lines, int dimension, std::span<double> values,
                  std::vector<std::size_t>& places, Details& details) {
   static constexpr std::array names{"point", "y of point", "z of point"};
@@ -93,8 +93,8 @@ bool read_points(LineReader& lines, int dimension, std::span<double> values,
   return tails.renumbered();
 }
 
-/// Nodes of this mesh that a free-form deformation box of the file lists (FFD_SURFACE_POINTS=), by
-/// marker and number, with where they lie. The box may stand in another zone's part of the file.
+/// Nodes of this mesh that a free-form deformation box lists by marker and number
+/// (FFD_SURFACE_POINTS=), with their positions. The box may be in another zone's part of the file.
 std::vector<BoxPoint> box_points(const Source& source, const ParsedMesh& mesh) {
   constexpr std::string_view key = "FFD_SURFACE_POINTS";
   std::vector<BoxPoint> points;
@@ -163,7 +163,7 @@ class Reader {
     keep_unknown(l);
   }
 
-  /// Keeps what was read from an offset on.
+  /// Keeps the text read since an offset.
   void keep_from(std::size_t begin) {
     auto& items = details_->items;
     if (items.empty() || items.back().part != Details::Part::text) {
@@ -171,7 +171,7 @@ class Reader {
     }
     items.back().text.append(source_.text().substr(begin, lines_.offset() - begin));
   }
-  /// The line that was read last.
+  /// Keeps the line that was read last.
   void keep(const Line& l) { keep_from(l.offset); }
 
   void read_periodic(const Line& l) {
@@ -289,8 +289,8 @@ class Reader {
         read_points(lines_, dimensions_.space, room_for(n), mesh_.where.nodes, *details_);
   }
 
-  /// Where the coordinates of the points go. Those of surfaces, which may lie in a plane, are
-  /// settled at the end.
+  /// The storage for the coordinates of the points. Surfaces get a separate buffer: only the end of
+  /// the file shows whether they lie in a plane.
   std::span<double> room_for(Index points) {
     if (of_surface()) {
       xyz_.resize(3 * static_cast<std::size_t>(points));
@@ -420,15 +420,16 @@ class Reader {
   bool renumbered_ = false;
 };
 
-/// What the first line NDIME= of a part of the file says; 0: it has none. Points may come before
-/// it, and cannot be read without.
+/// Value of the first line NDIME= in a part of the file; 0: it has none. Points may come before
+/// NDIME= but cannot be read without it.
 int stated_dimension(const Source& source, std::size_t begin, std::size_t end) {
   const auto lines = lines_with(source, begin, end, "NDIME", 1);
   return lines.empty() ? 0 : lines[0].value == "2" ? 2 : lines[0].value == "3" ? 3 : 0;
 }
 
-/// Elements in space are those of a surface if the first of them is. Markers, which may come before
-/// them, are lines then, and points may lie in a plane.
+/// True if the first element of a zone in space belongs to a surface; then all do. Looked up in
+/// advance, because markers (then lines) may come before the elements, and points may lie in a
+/// plane.
 bool has_surface_elements(const Source& source, const ZoneList::Zone& zone) {
   const auto heads = lines_with(source, zone.begin, zone.end, "NELEM", 1);
   if (heads.empty()) return false;
@@ -443,7 +444,7 @@ bool has_surface_elements(const Source& source, const ZoneList::Zone& zone) {
   return false;
 }
 
-/// space: as the file says anywhere; 0: nowhere.
+/// space: NDIME= from anywhere in the file; 0: not given.
 Dimensions dimensions_of(const Source& source, const ZoneList::Zone& zone, int space) {
   if (space != 3) return {2, 2};
   return {3, has_surface_elements(source, zone) ? 2 : 3};
@@ -456,7 +457,7 @@ ParsedMesh read_zone(Source& source, int number) {
   const std::size_t chosen = choose_zone(list, number, source.name());
   const ZoneList::Zone& zone = list.zones[chosen];
   const int own = stated_dimension(source, zone.begin, zone.end);
-  // What stands before the first zone may say it for all of them.
+  // A line before the first zone may give it for all zones.
   const int common = list.several ? stated_dimension(source, 0, list.zones[0].begin) : 0;
   Reader reader(source, zone, dimensions_of(source, zone, own != 0 ? own : common));
   Details& details = reader.details();

@@ -11,7 +11,7 @@
 namespace winslow::io::su2 {
 namespace {
 
-/// SU2 ends a name at white space and a line at '%'.
+/// Replaces white space, at which SU2 ends a name, and '%', at which it ends a line.
 std::vector<std::string> safe_names(std::span<const Marker> markers,
                                     std::vector<std::string>& warnings) {
   std::vector<std::string> names;
@@ -29,7 +29,7 @@ std::vector<std::string> safe_names(std::span<const Marker> markers,
 
 class Writer {
  public:
-  /// place: of a plane mesh that is written with NDIME= 3, details that say where it lies.
+  /// place: for a plane mesh written with NDIME= 3, details with its plane.
   Writer(std::ostream& out, const Mesh& mesh, const Details& details, const FormatDetails* place,
          std::vector<std::string> names)
       : out_(out),
@@ -132,7 +132,7 @@ class Writer {
   std::size_t next_marker_ = 0;
 };
 
-/// What is written for a mesh that has no details, or none that fit it.
+/// Details for a mesh without any, or with details that do not fit it.
 Details default_details(const Topology& topology, std::size_t markers, const Details* source) {
   using Part = Details::Part;
   Details details;
@@ -151,8 +151,8 @@ Details default_details(const Topology& topology, std::size_t markers, const Det
   return details;
 }
 
-/// Comments, or keywords that we do not know. NZONE and IZONE are written in any case or, of the
-/// one zone of a file, say nothing.
+/// True if the details hold comments or unknown keywords. NZONE and IZONE do not count: they are
+/// written anyway, or are redundant for a single zone.
 bool says_more(const Details& details) {
   for (const auto& item : details.items) {
     if (item.part != Details::Part::text) continue;
@@ -167,14 +167,15 @@ bool says_more(const Details& details) {
   return false;
 }
 
-/// True if a node that a box lists lies elsewhere by now: the box is no longer right.
+/// True if a node that a box lists has moved, so that the box is no longer valid.
 bool box_is_stale(const std::vector<BoxPoint>& points, const Coordinates& x) {
   return std::any_of(points.begin(), points.end(), [&](const BoxPoint& point) {
     return point.node < x.size() && place_in_space(nullptr, x, point.node) != point.place;
   });
 }
 
-/// Pairs of a source that is not written as it was: SU2 of today keeps them elsewhere.
+/// Warns about pairs of a source whose details are not written: current SU2 keeps them in its
+/// configuration file.
 void name_pairs(const FormatDetails* source, const Mesh& mesh, std::vector<std::string>& warnings) {
   if (source == nullptr || !source->periodic || source->periodic->pairs.empty()) return;
   const GivenPeriodicity& periodic = *source->periodic;
@@ -206,7 +207,7 @@ void write_zone(std::ostream& out, const Mesh& mesh, const FormatDetails* source
                                               : std::span<const Marker>();
   const bool fits =
       details != nullptr && details->same_size(topology) && details->markers == markers.size();
-  // A name that came from an SU2 file goes back as it came.
+  // A name from an SU2 file is written back unchanged.
   std::vector<std::string> names;
   if (fits) {
     for (const Marker& marker : markers) names.push_back(marker.name);
@@ -240,7 +241,7 @@ void write_zone(std::ostream& out, const Mesh& mesh, const FormatDetails* source
   Writer(out, mesh, fits ? *details : plain, source, std::move(names)).write();
 }
 
-/// The details of a zone for a file that has no other.
+/// The details of a zone for a file with only this zone.
 Details without_zones(Details details) {
   using Part = Details::Part;
   std::string& first = details.items.front().text;  // begins with the line IZONE=

@@ -28,7 +28,8 @@ std::optional<BinaryNumber> number_type(std::string_view name) {
 struct Property {
   std::string name;
   BinaryNumber type;
-  std::optional<BinaryNumber> list_size;  ///< set: a list, with a size of this type before it
+  std::optional<BinaryNumber> list_size;  ///< set: the property is a list, preceded by a size of
+                                          ///< this type
 };
 
 struct Element {
@@ -129,7 +130,7 @@ class Reader {
     if (!own) builder_.drops("property " + in_quotes(name) + " and its values");
   }
 
-  /// Refuses counts that the file cannot hold, before anything is read.
+  /// Rejects counts that the file cannot hold, before reading anything.
   void check_count(const Element& element) const {
     std::size_t bytes = 0;
     for (const Property& property : element.properties) {

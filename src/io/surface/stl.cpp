@@ -12,14 +12,14 @@ constexpr std::size_t facet_bytes = 50;
 
 using Point = std::array<double, 3>;
 
-/// Gives corners at the same place the same number.
+/// Merges corners at the same place into one vertex.
 class Merger {
  public:
   explicit Merger(Builder& builder) : builder_(builder) {}
 
   Index node(Point p, std::size_t offset) {
     for (double& value : p) value += 0.0;  // -0 is the same place as 0
-    // NaN has no order; it becomes a vertex of its own and is refused with its line later.
+    // NaN has no order. It becomes a separate vertex, which a later check rejects with its line.
     const bool ordered = p[0] == p[0] && p[1] == p[1] && p[2] == p[2];
     if (ordered) {
       const auto [found, added] = nodes_.emplace(p, builder_.vertices());
@@ -139,7 +139,7 @@ void write_solid(TextWriter& out, const WrittenSurface& surface,
   out << "endsolid " << name << '\n';
 }
 
-/// Returns false if some coordinate is no single-precision number.
+/// Returns false if a coordinate had to be rounded to single precision.
 bool write_binary(TextWriter& out, const WrittenSurface& surface) {
   bool exact = true;
   std::array<char, header_bytes> header{};
@@ -163,7 +163,8 @@ bool write_binary(TextWriter& out, const WrittenSurface& surface) {
   return exact;
 }
 
-/// Its header may say anything, "solid" as well: the number of triangles fits the size.
+/// True if the number of triangles fits the size. The header is free text and may begin with
+/// "solid".
 bool is_binary_stl(std::string_view content) {
   constexpr std::size_t header = 84;
   std::uint32_t count = 0;

@@ -77,7 +77,7 @@ void WrittenSurface::add_boundary(const Topology& topology) {
 
 Vec3 WrittenSurface::normal(const FileCorners& corners) const {
   if (plane_) return space_.normal();
-  // Of a quadrilateral by its diagonals, for it need not be plane.
+  // Use the diagonals of a quadrilateral, because it need not be planar.
   const Vec3 a = node(corners[2]) - node(corners[0]);
   const Vec3 b = node(corners[corners.size() - 1]) - node(corners[1]);
   const Vec3 n = corners.size() == 3 ? (node(corners[1]) - node(corners[0])).cross(a) : a.cross(b);
@@ -109,7 +109,7 @@ bool is_obj_keyword(std::string_view line) {
   return begins_with_any(line, {"v", "f", "vn", "vt", "mtllib", "usemtl"});
 }
 
-/// What a keyword says that a mesh does not hold; empty: nothing.
+/// The content behind a keyword that a mesh cannot hold; empty: none.
 std::string dropped_with(std::string_view word) {
   if (word == "vn") return "normals";
   if (word == "vt" || word == "vp") return "texture coordinates";
@@ -122,8 +122,8 @@ bool known_keyword(std::string_view word) {
   return word == "p" || word == "s" || !dropped_with(word).empty() || word.front() == '#';
 }
 
-/// One corner of a face: "7", "7/1", "7//3" or "7/1/3"; counted from 1, or back from the last
-/// vertex so far if negative.
+/// One corner of a face: "7", "7/1", "7//3" or "7/1/3"; counted from 1, or, if negative, backwards
+/// from the last vertex so far.
 Index corner(const Scanner& scan, std::string_view word, Index vertices) {
   const auto number = parse_integer(word.substr(0, word.find('/')));
   if (!number || *number == 0 || *number > std::numeric_limits<Index>::max() ||
@@ -187,7 +187,7 @@ std::vector<std::string> write_obj(std::ostream& stream, const Mesh& mesh,
   return lost_in_surface(mesh, true);
 }
 
-/// Goes to the next line that holds data.
+/// Moves to the next line with data.
 void begin_record(Scanner& scan, const Expected& expected) {
   for (;;) {
     scan.skip_space();
@@ -201,7 +201,8 @@ void read_header(Scanner& scan, Builder& builder) {
   begin_record(scan, {"OFF"});
   const std::size_t begin = scan.offset();
   const auto magic = scan.word();
-  // C, N and ST announce columns after the coordinates, which we skip; 4 and n are other spaces.
+  // C, N and ST announce columns after the coordinates, which are skipped; 4 and n mean other space
+  // dimensions.
   for (const std::string_view known : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCNOFF"}) {
     if (magic != known) continue;
     const auto columns = known.substr(0, known.size() - 3);

@@ -12,7 +12,7 @@ namespace winslow::io {
 
 namespace {
 
-/// Takes edges off a marker, one line after the other.
+/// Splits the edges of a marker into lines.
 class LineWalk {
  public:
   explicit LineWalk(const Marker& marker) : edges_(marker.faces), used_(edges_.size(), false) {
@@ -20,7 +20,7 @@ class LineWalk {
       for (Index node : edges_[e]) at_[node].push_back(e);
   }
 
-  /// The line through an edge that is not used yet, as far as it goes both ways.
+  /// The line through an unused edge, extended in both directions.
   BoundaryLine line_from(std::size_t first) {
     used_[first] = true;
     std::deque<Index> nodes{edges_[first][0], edges_[first][1]};
@@ -40,7 +40,7 @@ class LineWalk {
   bool used(std::size_t edge) const { return used_[edge]; }
 
  private:
-  /// The other end of an edge from here that is not used yet. Lines end where three edges meet.
+  /// The other end of an unused edge at this node. Lines end where three edges meet.
   std::optional<Index> beyond(Index node) {
     const auto& around = at_[node];
     if (around.size() != 2) return std::nullopt;
@@ -58,7 +58,7 @@ class LineWalk {
 };
 
 struct Curve {
-  Index marker = 0;  ///< of the mesh
+  Index marker = 0;  ///< index in the mesh
   std::size_t number = 0;
   BoundaryLine line;
 };
@@ -80,7 +80,7 @@ const std::string& name_of(const Topology& topology, const Curve& curve) {
   return topology.markers()[static_cast<std::size_t>(curve.marker)].name;
 }
 
-/// A field of a CSV file: in quotes where it must be.
+/// A field of a CSV file, quoted if necessary.
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
@@ -166,10 +166,10 @@ void write_boundary(const std::filesystem::path& path, const Mesh& mesh,
 
 namespace {
 
-/// What a column holds; `none` is one that we do not use.
+/// Content of a column; `none`: not used.
 enum class Column { none, node, x, y, z, dx, dy, dz };
 
-/// Of a column among those of a vector, the first of which is that of x.
+/// Component of a vector column, counted from the vector's column of x.
 int component(Column column, Column of_x) {
   return static_cast<int>(column) - static_cast<int>(of_x);
 }
@@ -185,7 +185,7 @@ std::vector<std::string_view> split(std::string_view line) {
     if (end == std::string_view::npos) break;
     line.remove_prefix(end + 1);
     if (blanks_separate) line = trimmed(line);
-    // A separator at the end stands for one more, empty field.
+    // A separator at the end means another, empty field.
     if (line.empty()) fields.push_back(line);
   }
   return fields;
@@ -232,7 +232,7 @@ class Reader {
   }
 
  private:
-  /// Returns false if the line is one of names.
+  /// Returns false if the line is a header of names.
   bool choose_columns(const std::vector<std::string_view>& fields) {
     const bool names = std::none_of(fields.begin(), fields.end(), [](std::string_view field) {
       return parse_number(field).has_value();

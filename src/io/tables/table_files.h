@@ -24,11 +24,11 @@ std::vector<BoundaryLine> boundary_lines(const Marker& marker);
 const std::vector<std::string>& boundary_extensions();
 
 /// Writes markers as curves, without the mesh. The extension chooses the format:
-/// .csv marker, line (from 0), node (from 0), x, y; one row per point
+/// .csv  marker, line (from 0), node (from 0), x, y; one row per point
 /// .dat  a line "NAME" per curve, a line "x y" per point, an empty line between curves: read by
 ///       plotting programs and tools for aerofoils
-/// .vtk legacy VTK polydata: one cell per line, with "marker" as cell data Writes atomically.
-/// Throws UsageError (no marker, unknown marker or extension) and OutputError.
+/// .vtk  legacy VTK polydata: one cell per line, with "marker" as cell data
+/// Writes atomically. Throws UsageError (no marker, unknown marker or extension) and OutputError.
 void write_boundary(const std::filesystem::path& path, const Mesh& mesh,
                     const std::vector<std::string>& markers);
 

@@ -11,8 +11,8 @@ std::string_view without_plus(std::string_view text) {
   return text;
 }
 
-/// from_chars gives no value when the number is out of range; which way decides the exponent's
-/// sign.
+/// Value of an out-of-range number, for which from_chars gives none: 0 or infinity by the sign of
+/// the exponent.
 double out_of_range_value(std::string_view text) {
   const auto exponent = text.find_first_of("eE");
   const bool negative = text.front() == '-';

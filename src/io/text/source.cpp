@@ -46,7 +46,8 @@ std::string read_all(int fd, const std::string& name, std::size_t expected_size)
   }
 }
 
-/// Editors on Windows put one before UTF-8 text. No binary format begins with its bytes.
+/// Editors on Windows put a byte order mark before UTF-8 text. No binary format begins with its
+/// bytes.
 void remove_byte_order_mark(std::string& bytes, const std::string& name) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
@@ -77,7 +78,7 @@ Source Source::load(const std::filesystem::path& path) {
 
 Source::Range Source::append(const std::filesystem::path& path) {
   const Source other = load(path);
-  // A byte in between, so that the end of one file is not the beginning of the next.
+  // A separator, so that the end offset of one file differs from the begin of the next.
   if (!bytes_.empty()) bytes_ += '\n';
   const std::size_t begin = bytes_.size();
   bytes_ += other.bytes_;
@@ -228,7 +229,7 @@ void Scanner::fail(std::string_view found, const std::string& expected) const {
 Index checked_count(const Source& source, std::size_t offset, std::int64_t count,
                     std::size_t bytes_each, std::size_t bytes_left, const Expected& expected) {
   if (count < 0) source.fail(offset, std::to_string(count), expected.text());
-  // The last entry may lack its line end.
+  // +1, because the last entry may lack its line end.
   const auto most = static_cast<std::int64_t>(bytes_left / bytes_each + 1);
   if (count > most) {
     source.fail(offset, std::to_string(count) + " as " + expected.text(),

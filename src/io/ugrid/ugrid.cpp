@@ -16,7 +16,7 @@ std::filesystem::path without_gzip(const std::filesystem::path& path) {
   return is_gzip_name(path) ? path.parent_path() / path.stem() : path;
 }
 
-/// Bytes that a file with these counts takes at least; 0 for counts that cannot be.
+/// Smallest size of a file with these counts, in bytes; 0 for impossible counts.
 std::uint64_t size_of(const std::array<std::int64_t, header_numbers>& counts, bool single) {
   const std::uint64_t point = single ? 12 : 24;
   const std::array<std::uint64_t, header_numbers> bytes{point, 16, 20, 16, 20, 24, 32};
@@ -28,7 +28,7 @@ std::uint64_t size_of(const std::array<std::int64_t, header_numbers>& counts, bo
   return counts[0] > 0 ? size : 0;
 }
 
-/// The first line of a text file: seven numbers, of which the first, of nodes, is not zero.
+/// True for the first line of a text file: seven numbers; the first one (nodes) is not zero.
 bool is_text_header(std::string_view line) {
   std::size_t n = 0;
   while (!line.empty()) {

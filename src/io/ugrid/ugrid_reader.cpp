@@ -9,7 +9,7 @@
 namespace winslow::io::ugrid {
 namespace {
 
-/// The numbers of a file, from words or from bytes.
+/// Reads the numbers of a file from text or binary data.
 class Numbers {
  public:
   Numbers(const Source& source, const Encoding& encoding)
@@ -34,7 +34,7 @@ class Numbers {
     scan_.skip_space();
     return scan_.number(expected);
   }
-  /// A count of things of so many numbers each: no more than the rest of the file can hold.
+  /// Reads a count of items of `numbers_each` numbers; at most what the rest of the file can hold.
   std::int64_t count(const Expected& expected, std::size_t numbers_each) {
     const std::size_t start = offset();
     const std::int64_t n = integer(expected);
@@ -64,7 +64,7 @@ class Reader {
       read_elements(element_order[k], counts.elements[k]);
     if (mesh_.data.types.empty()) source_.fail(0, "no element with a volume", "a volume mesh");
     set_space_nodes(source_, xyz, mesh_);
-    // Generators append data on layers and on the volumes that elements belong to.
+    // Mesh generators append data about layers and about the volumes of elements.
     if (numbers_.offset() < source_.text().size())
       mesh_.warnings.emplace_back("data behind the elements are not kept");
     return std::move(mesh_);
@@ -99,7 +99,7 @@ class Reader {
     return xyz;
   }
 
-  /// Nodes count from 1 in the file.
+  /// Reads corners; nodes are numbered from 1 in the file.
   void read_corners(std::span<Index> corners, const Expected& expected) {
     for (Index& corner : corners) {
       const std::size_t start = numbers_.offset();

@@ -5,7 +5,7 @@
 namespace winslow::io::ugrid {
 namespace {
 
-/// What a file holds of the boundary: triangles before quadrilaterals.
+/// The boundary in the order of a file: triangles before quadrilaterals.
 struct Sides {
   std::vector<Face> faces;
   std::vector<int> tags;
@@ -30,7 +30,7 @@ class ValueWriter {
     exact_ = exact_ && static_cast<double>(rounded) == value;
     put(rounded);
   }
-  /// End of a line of text.
+  /// Ends a line of text.
   void end() {
     if (!encoding_.binary) out_ << '\n';
     first_ = true;
@@ -72,7 +72,7 @@ Sides sides_of(const Markers& markers, const std::vector<int>& tags) {
   return sides;
 }
 
-/// The same in the order of the source.
+/// Sides in the order of the source.
 Sides sides_of(const Details& details, const std::vector<int>& tags) {
   Sides sides;
   sides.faces = details.sides;
@@ -139,7 +139,7 @@ Encoding encoding_for(const std::filesystem::path& path, const Details* details,
                                                         : Encoding{true, true, false};
 }
 
-/// Whether the elements are in the order in which a file has them.
+/// True if the elements are in the order of a file.
 bool ordered_by_type(const Topology& topology) {
   const auto rank = [](ElementType type) { return std::ranges::find(element_order, type); };
   for (Index e = 1; e < topology.element_count(); ++e) {
@@ -148,7 +148,7 @@ bool ordered_by_type(const Topology& topology) {
   return true;
 }
 
-/// The surfaces of the source stay as they are, those that it lacks are added.
+/// The surfaces of the source, followed by those of markers that the source lacks.
 std::vector<Surface> surfaces_of(const Markers& markers, const std::vector<int>& tags,
                                  const Details* details, std::vector<std::string>& warnings) {
   std::vector<Surface> surfaces;
@@ -190,7 +190,7 @@ std::vector<OutputFile> files(const std::filesystem::path& path, const Mesh& mes
   const Markers& markers = mesh.topology->markers();
   std::vector<int> tags;
   if (markers.from_file()) {
-    // The tags of a file need not be positive.
+    // Tags read from a file need not be positive.
     tags = details != nullptr ? tags_of(markers.list())
                               : usable_tags(tags_of(markers.list()), "markers", warnings);
   }

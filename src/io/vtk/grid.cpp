@@ -52,8 +52,7 @@ CellType cell_type_of(ElementType type) {
   return types[static_cast<std::size_t>(type)];
 }
 
-/// The element that a cell of more than one dimension is; none: it is of a type that we have none
-/// of.
+/// The element type of a cell of dimension 2 or 3; none if the cell type is not supported.
 std::optional<ElementType> element_of(std::int64_t type, std::size_t corners) {
   if (type == polygon) type = corners == 3 ? triangle : quadrilateral;
   if (type == pixel) type = quadrilateral;
@@ -100,7 +99,7 @@ void ArrayCollector::finish(const Source& source, Grid& grid) {
     grid.marker = grid.region = to_tags(source, grid, physical_, "gmsh:physical");
   } else if (!entity_.empty()) {
     grid.marker = to_tags(source, grid, entity_, "CellEntityIds");
-    // Gmsh marks with the sign that the group holds the reversed entity.
+    // In Gmsh a negative tag means that the group holds the reversed entity.
     for (int& tag : grid.marker) tag = std::abs(tag);
   }
   grid.marker_names = std::move(marker_names_);
@@ -133,7 +132,7 @@ std::string listed(const std::set<std::string>& names) {
 
 using Item = Details::Item;
 
-/// 3 if there is a cell with a volume.
+/// 3 if there is a volume cell, else 2.
 int dimension_of(const Grid& grid) {
   const auto solid = [](std::int64_t type) { return type >= tetrahedron && type <= pyramid; };
   return std::ranges::any_of(grid.types, solid) ? 3 : 2;

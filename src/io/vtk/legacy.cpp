@@ -37,7 +37,7 @@ std::optional<NumberType> number_type(std::string_view name) {
       {"vtktypeint64", {Kind::signed_integer, 8}},
       {"vtktypeuint64", {Kind::unsigned_integer, 8}},
       {"vtktypeint32", {Kind::signed_integer, 4}},
-      // Legacy files hold ids as 32-bit integers, however wide they are in memory.
+      // Legacy files hold ids as 32-bit integers, whatever their width in memory.
       {"vtkIdType", {Kind::signed_integer, 4}},
       {"float", {Kind::floating, 4}},
       {"double", {Kind::floating, 8}},
@@ -50,7 +50,7 @@ std::optional<NumberType> number_type(std::string_view name) {
   return std::nullopt;
 }
 
-/// Reads the arrays of a legacy file: numbers apart by white space, or big-endian bytes.
+/// Reads the arrays of a legacy file: numbers separated by white space, or big-endian bytes.
 class LegacyArrays {
  public:
   explicit LegacyArrays(Scanner& scan) : scan_(scan) {}
@@ -71,7 +71,7 @@ class LegacyArrays {
         expected, std::max<std::size_t>(1, binary_ ? numbers_each * type.bytes : numbers_each * 2));
   }
 
-  /// Reads numbers; `places`, if given, gets the byte offset of each.
+  /// Reads numbers; `places`, if given, receives the byte offset of each.
   std::vector<double> numbers(std::size_t n, NumberType type, const Expected& expected,
                               std::vector<std::size_t>* places = nullptr) {
     if (type.kind == Kind::text) {
@@ -97,8 +97,8 @@ class LegacyArrays {
     return read<std::int64_t>(n, type, expected, places);
   }
 
-  /// Skips n strings.
-  /// In binary, the two top bits of the first byte tell how many bytes hold the length.
+  /// Skips n strings. In binary, the two top bits of the first byte give the number of bytes of the
+  /// length.
   void skip_strings(std::size_t n, const Expected& expected) {
     const auto text = scan_.source().text();
     for (std::size_t i = 0; i < n; ++i) {
@@ -157,7 +157,7 @@ class LegacyArrays {
 
 constexpr NumberType int32{NumberType::Kind::signed_integer, 4};
 
-/// VTK writes names with white space as "%20".
+/// Decodes a name: VTK writes white space as "%20".
 std::string decoded(std::string_view name) {
   std::string text;
   for (std::size_t i = 0; i < name.size(); ++i) {
@@ -388,7 +388,7 @@ class LegacyReader {
     }
   }
 
-  /// Between SCALARS and its values most files name a table, on a line of its own.
+  /// In most files a separate line between SCALARS and its values names a lookup table.
   void skip_lookup_table_name() {
     const std::size_t here = scan_.offset();
     if (scan_.next_word() == "LOOKUP_TABLE") {
@@ -426,7 +426,7 @@ class LegacyReader {
     }
   }
 
-  /// Runs to the next empty line, in binary files too.
+  /// Skips metadata, which ends at the next empty line, also in binary files.
   void skip_metadata() {
     scan_.line();
     while (!scan_.at_end() && !trimmed(scan_.line()).empty()) {
@@ -463,7 +463,7 @@ class LegacyReader {
 
 ParsedMesh read_legacy(Source& source) { return LegacyReader(source).read(); }
 
-/// Names end at white space and hold '%' as the start of a code.
+/// Encodes a name: white space would end it, and '%' starts a code.
 std::string encoded(const std::string& name) {
   static constexpr std::string_view digits = "0123456789ABCDEF";
   std::string text;
@@ -480,7 +480,7 @@ std::string encoded(const std::string& name) {
   return text;
 }
 
-/// Numbers of an array, as text or as big-endian bytes.
+/// Writes the numbers of an array, as text or as big-endian bytes.
 class ArrayWriter {
  public:
   ArrayWriter(TextWriter& out, bool binary) : out_(out), binary_(binary) {}
@@ -563,7 +563,7 @@ std::vector<std::string> write_legacy(std::ostream& stream, const Mesh& mesh,
   }
   array.end();
   write_cells(out, array, grid);
-  // Not before POINTS, where VTK puts them itself: Gmsh looks for POINTS in that line.
+  // Not before POINTS, where VTK itself puts them, because Gmsh expects POINTS in that line.
   write_names(out, array, grid);
   write_tags(out, array, grid);
   return warnings;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// Where the appended data lies. Raw data is no XML, so the file is cut before it is parsed.
+/// Location of the appended data. Raw data is no XML, so the file is split before parsing.
 struct Appended {
   std::size_t xml_end;  ///< start of <AppendedData, or the end of the file
   std::size_t begin = 0;
@@ -99,7 +99,7 @@ class VtuReader {
     return node;
   }
 
-  /// Compares an attribute such as NumberOfPoints with what the arrays hold.
+  /// Compares an attribute such as NumberOfPoints with the size of the arrays.
   void check_count(const VtuArrays& arrays, const pugi::xml_node& piece, const char* name,
                    std::size_t found) const {
     const std::string_view text = piece.attribute(name).value();
@@ -164,7 +164,8 @@ class VtuReader {
     }
   }
 
-  /// Of an array with a number for each cell; others are none of ours and are not read.
+  /// The values of an array with one number per cell. Other arrays are not written by winslow and
+  /// are not read.
   std::vector<double> cell_numbers(const VtuArrays& arrays, const pugi::xml_node& data,
                                    unsigned components) const {
     if (components != 1) return {};
@@ -179,7 +180,7 @@ class VtuReader {
     }
     for (const auto& parent : {grid.child("FieldData"), piece.child("FieldData")}) {
       for (const auto& data : parent.children("DataArray")) {
-        // Strings and the like are not ours.
+        // winslow writes no arrays of strings.
         const bool number = std::string_view(data.attribute("type").value()) != "String";
         collector_.field_array(data.attribute("Name").value(),
                                number ? arrays.numbers(data) : std::vector<double>());
@@ -191,7 +192,7 @@ class VtuReader {
     drop(piece.child("CellData"), "Array");
   }
 
-  /// Notes the arrays below an element that are not read.
+  /// Records the arrays below an element that are not read.
   void drop(const pugi::xml_node& parent, const char* kind) {
     for (const auto& array : parent.children(kind))
       grid_.dropped.emplace(array.attribute("Name").value());
@@ -242,7 +243,7 @@ constexpr const char* type_name() {
   return "Int32";
 }
 
-/// Writes the XML with its arrays: as text at once, or as bytes that are appended at the end.
+/// Writes the XML with its arrays: inline as text, or as bytes appended at the end.
 class Writer {
  public:
   Writer(std::ostream& stream, const Grid& grid, bool binary)

@@ -71,10 +71,10 @@ std::string encode_base64(std::string_view bytes) {
 
 namespace {
 
-/// Deflate cannot shrink data by more than this.
+/// Largest compression ratio of deflate.
 constexpr std::uint64_t best_compression = 1032;
-/// Coordinates and ids differ from one another, so they do not shrink by nearly as much. What is
-/// small is not worth a question.
+/// Coordinates and ids differ from one another, so their compression ratio is far lower. Small data
+/// is not checked.
 constexpr std::uint64_t likely_compression = 200, small_enough = 1 << 20;
 
 std::string name_of(const pugi::xml_node& array) {
@@ -132,7 +132,7 @@ BinaryNumber VtuArrays::type_of(const pugi::xml_node& array) const {
   fail(array, "type " + in_quotes(name) + " of " + name_of(array), "Float64, Int32 or the like");
 }
 
-/// The text between the tags, as it lies in the source.
+/// The text between the tags in the source.
 std::string_view VtuArrays::inline_text(const pugi::xml_node& array) const {
   for (const auto& child : array.children()) {
     if (child.type() != pugi::node_pcdata) continue;
@@ -149,7 +149,7 @@ std::uint64_t VtuArrays::integer_at(std::string_view bytes, std::size_t begin,
   return unsigned_at(bytes.data() + begin, width, big_endian_);
 }
 
-/// Decodes base64 and takes header and compression away.
+/// Decodes base64, removes the header and decompresses.
 std::string VtuArrays::base64_content(std::string_view text, const pugi::xml_node& array,
                                       Count count) const {
   const auto bytes = decode_base64(trimmed(text));
@@ -158,7 +158,7 @@ std::string VtuArrays::base64_content(std::string_view text, const pugi::xml_nod
   return content(*bytes, array, first, count);
 }
 
-/// `first`: gets the position in `stream` of the first byte of uncompressed data.
+/// `first`: receives the position in `stream` of the first byte of uncompressed data.
 std::string VtuArrays::content(std::string_view stream, const pugi::xml_node& array,
                                std::size_t& first, Count count) const {
   if (stream.size() < header_bytes_)
@@ -173,7 +173,7 @@ std::string VtuArrays::content(std::string_view stream, const pugi::xml_node& ar
   return std::string(stream.substr(header_bytes_, static_cast<std::size_t>(size)));
 }
 
-/// Compares what the header of compressed data declares with what there can be.
+/// Checks the sizes that the header of compressed data declares.
 void VtuArrays::check_sizes(std::string_view stream, const pugi::xml_node& array,
                             Count count) const {
   const std::size_t w = header_bytes_;
@@ -259,7 +259,7 @@ std::string VtuArrays::appended_bytes(const pugi::xml_node& array, std::size_t& 
   return base64_content(appended_piece(stream, array), array, count);
 }
 
-/// The base64 text of one array: where it ends only its header tells, for the next array follows.
+/// The base64 text of one array. The next array follows directly, so only the header tells its end.
 std::string_view VtuArrays::appended_piece(std::string_view stream,
                                            const pugi::xml_node& array) const {
   const auto encoded_size = [](std::uint64_t bytes) { return (bytes + 2) / 3 * 4; };
@@ -274,9 +274,9 @@ std::string_view VtuArrays::appended_piece(std::string_view stream,
   const std::uint64_t most = stream.size();
   std::string header = head(header_bytes_);
   const std::uint64_t first = integer_at(header, 0, header_bytes_);
-  if (first > most) return stream;  // refused where the data is decoded
+  if (first > most) return stream;  // rejected when the data is decoded
   if (!compressed_) {
-    // VTK pads the header by itself; other writers encode it together with the data.
+    // VTK pads the header separately; other writers encode it together with the data.
     const bool padded = stream.substr(0, encoded_size(header_bytes_)).find('=') != stream.npos;
     return stream.substr(0, padded ? encoded_size(header_bytes_) + encoded_size(first)
                                    : encoded_size(header_bytes_ + first));
