@@ -111,7 +111,7 @@ void check_distinct(const std::vector<std::string>& paths) {
   std::set<fs::path> seen;
   for (const std::string& path : paths) {
     if (path.empty()) continue;
-    std::error_code pipe;  // a pipe is not the same file as any other path
+    std::error_code pipe;  // set for a pipe, whose path cannot be resolved
     const fs::path whole = fs::weakly_canonical(fs::absolute(path), pipe);
     if (!seen.insert(pipe ? fs::absolute(path) : whole).second) {
       throw UsageError(path + " would be written twice");

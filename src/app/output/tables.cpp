@@ -12,7 +12,7 @@ namespace {
 
 constexpr int bar_width = 50;
 
-/// Formats with three decimals, or with more digits if small numbers need them.
+/// Formats with three decimals; very small and very large numbers in scientific notation.
 std::string number(double value) {
   const double size = std::abs(value);
   const bool plain = size == 0 || (size >= 0.01 && size < 1e5);

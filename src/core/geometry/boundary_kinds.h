@@ -10,7 +10,7 @@
 /// The parts of SlidingBoundary::find(), for this folder.
 namespace winslow {
 
-/// The part of the boundary of each node that slides.
+/// For each sliding node, its part of the boundary.
 class NodeParts {
  public:
   void set(Index node, Index part) {
@@ -52,14 +52,14 @@ class CornerMarkers {
 [[noreturn]] void refuse_corner(const Coordinates& x, Index on_sliding, Index partner,
                                 const std::string& marker, const std::string& what);
 
-// In the results held nodes of the rules slide, too. Each function throws UsageError for smooth
-// nodes that cannot slide.
+// In the results, held nodes of the rules are still among the sliding nodes. Each function throws
+// UsageError for smooth nodes that cannot slide.
 
-/// Of a plane mesh. markers: indices.
+/// For a plane mesh. markers: indices.
 SlidingBoundary sliding_on_curves(const Topology& topology, const Coordinates& x,
                                   std::span<const Index> markers, const FeatureRules& rules,
                                   std::span<const PeriodicPairs> periodic);
-/// Of a volume mesh, or of a surface mesh, with all of its elements and no markers.
+/// For a volume mesh, or for a surface mesh: all of its elements, without markers.
 SlidingBoundary sliding_on_surfaces(const Topology& topology, const Coordinates& x,
                                     std::span<const Index> markers, const FeatureRules& rules,
                                     std::span<const PeriodicPairs> periodic);
@@ -92,7 +92,7 @@ class SpaceGeometry final : public SlidingGeometry {
 
   struct Slider {
     Index piece;
-    Vec3 direction;  // the first vector of its frame is near to it
+    Vec3 direction;  // approximate first vector of the node's frame
   };
 
   std::vector<Piece> pieces_;
@@ -100,8 +100,8 @@ class SpaceGeometry final : public SlidingGeometry {
   NodeParts numbers_;  // of the sliders
 };
 
-/// The faces of sliding markers of a volume mesh, or the elements of a surface mesh. stays: 1 for
-/// nodes on the boundary that does not slide (#nodes).
+/// The faces that nodes slide on: those of the markers of a volume mesh, or the elements of a
+/// surface mesh. stays: 1 for nodes on the boundary that does not slide (#nodes).
 struct SlidingFaces {
   std::vector<SurfaceFace> faces;
   std::vector<unsigned char> stays;

@@ -321,7 +321,7 @@ std::unique_ptr<const PlaneCurve> circle_through(std::span<const Vec2> points, d
   return std::make_unique<Circle<2>>(circle->centre, circle->radius, Vec2(1, 0), Vec2(0, 1));
 }
 
-/// In the best-fitting plane of the points, if they lie in it.
+/// Fits a circle in the best-fitting plane of the points, if they lie in it.
 std::unique_ptr<const SpaceCurve> circle_through(std::span<const Vec3> points, double tolerance) {
   if (points.size() < 5) return nullptr;
   const Vec3 mean = mean_of<3>(points);
@@ -410,7 +410,7 @@ CurveRow::CurveRow(std::vector<Index> nodes, bool closed, std::shared_ptr<const 
   }
 }
 
-/// On a closed curve the shorter way.
+/// Signed arc length between two arc positions; the shorter way on a closed curve.
 double CurveRow::arc_between(double from, double to) const {
   const double period = curve_->period();
   return period > 0 ? std::remainder(to - from, period) : to - from;

@@ -66,7 +66,7 @@ double shortest_edge(const Topology& topology, const Coordinates& x, const Side&
   return shortest;
 }
 
-/// Pairs of nodes of two sides, and the pair that an image fits worst.
+/// Pairs of nodes of two sides, and the pair with the largest deviation from an image.
 struct Match {
   std::vector<Index> partner;  ///< of each node of the first side, in the second
   std::size_t worst = 0;

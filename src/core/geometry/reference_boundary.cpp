@@ -22,7 +22,8 @@ class ReferenceFinder {
         edges_(surface_edges(sliding_.faces)),
         shape_(reference, rules.angle),
         smooth_(rules.smooth.begin(), rules.smooth.end()) {
-    // At 180 degrees only borders, edges between markers and edges of several faces.
+    // With an angle of 180 degrees, only borders, edges between markers and edges of more than two
+    // faces are features.
     const auto kept = feature_edges(x_, sliding_.faces, edges_, 180);
     const ReferenceLines match(x_, sliding_.faces, edges_, topology.node_count(), shape_,
                                rules.angle);
@@ -60,7 +61,7 @@ class ReferenceFinder {
   /// The cut edges at a node.
   struct NodeEdges {
     std::vector<Index> others;
-    Index line = -1;  ///< of the last of them; -1: none
+    Index line = -1;  ///< line of the last cut edge; -1: none
     bool one_line = true;
   };
 
@@ -99,8 +100,8 @@ class ReferenceFinder {
     }
   }
 
-  /// Makes the nearest node of each corner of the reference surface without a node a corner, if it
-  /// is near.
+  /// For each corner of the reference surface without a node, makes the nearest mesh node a corner
+  /// if it is near.
   void hold_corners() {
     std::vector<Index> nodes;
     std::vector<Vec3> places;

@@ -184,9 +184,8 @@ struct SlidingBoundary {
   /// - unknown markers and markers without a node that can slide,
   /// - unknown nodes of the rules, and smooth nodes at which feature lines end or meet,
   /// - a reference surface with a plane mesh, or one that is far from the nodes,
-  /// - naming the two nodes, a corner whose image is on a marker that does not slide, or in space
-  /// not
-  ///   on the image of its surface.
+  /// - a corner whose image is on a marker that does not slide, or in space not on the image of its
+  ///   surface; the message names both nodes.
   static SlidingBoundary find(const Topology& topology, const Coordinates& x,
                               std::span<const std::string> markers, const FeatureRules& rules,
                               const ReferenceSurface* reference = nullptr,

@@ -228,7 +228,7 @@ class SurfaceFinder {
     return region_of;
   }
 
-  /// Throws UsageError unless the image of one region lies on the surface of another.
+  /// Throws UsageError unless the periodic image of one region lies on the surface of another.
   void require_image(const RigidImage& image, std::size_t from, std::size_t to,
                      const PeriodicPair& pair) {
     constexpr double share = 1e-4;  // of the extent, for the rounding of files

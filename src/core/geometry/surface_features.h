@@ -28,7 +28,7 @@ std::vector<Chain> find_chains(const EdgeEnds& ends, const std::function<bool(In
 
 /// The position of a node relative to the features of a surface.
 enum class SurfaceNode : std::uint8_t {
-  none,    ///< not of the surface
+  none,    ///< not on the surface
   inside,  ///< on no feature
   line,    ///< a feature line runs through it
   corner   ///< feature lines end, meet or turn there, or it is the tip of a cone

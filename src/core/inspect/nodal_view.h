@@ -55,7 +55,7 @@ Star make_star(std::vector<Vec2> points);
 struct NodalView : OperatorView<2> {
   Star physical;           ///< units of the mesh; quadrilaterals are cut to corner triangles
   Star vcv;                ///< edge 0 on the positive x axis
-  bool edited = false;     ///< the VCV is another than the paper's (equal angles, unit edges)
+  bool edited = false;     ///< the VCV differs from the paper's (equal angles, unit edges)
   NodalGradient gradient;  ///< columns of the nodal Jacobian, virtual to physical
   std::array<double, 2> singular_values{0, 0};  ///< of the nodal Jacobian, the larger first
   WinslowCoefficients coefficients;
@@ -83,7 +83,7 @@ StarPlane plane_of_star(const Topology& topology, const Coordinates& x, const No
 /// edges nearest to those of the physical star, in the sum of squares.
 double fitted_turn(const Star& vcv_star, const Star& physical);
 
-/// Singular values of the 2x2 matrix with these columns, the larger first.
+/// Singular values of a nodal Jacobian (2x2, given by its columns), the larger first.
 std::array<double, 2> singular_values(const NodalGradient& jacobian);
 
 /// A star of tetrahedra: edges from a node to its neighbours, and the triangles of its link.

@@ -38,7 +38,7 @@ std::vector<std::array<Index, 2>> features_of(const Mesh& mesh, const SlideOptio
   return features;
 }
 
-/// The classes of nodes with these options; none if the boundary cannot move so.
+/// The classes of nodes with these options; none if the boundary cannot move like this.
 std::optional<NodeClasses> classes_of(const Mesh& mesh, const ResolvedSlide& slide,
                                       const std::vector<std::string>& moving, NodeRoles& out) {
   NodeClasses classes(mesh.topology);

@@ -6,7 +6,7 @@
 
 namespace winslow {
 
-/// What a node does while a mesh is smoothed, for the display.
+/// Role of a node during smoothing, for display.
 enum class NodeRole : std::uint8_t {
   free,        ///< inside: moves in all directions
   fixed,       ///< on a boundary that stays

@@ -154,7 +154,7 @@ std::vector<StripStep> steps_above(const Topology& topology, OpenMesh::HalfedgeH
 
 using HalfEdge = OpenMesh::HalfedgeHandle;
 
-/// Follows the layers of a mesh from the walls, row by row. Columns have along_boundary set if they
+/// Detects the layers of a mesh from the walls, row by row. Columns have along_boundary set if they
 /// stand at an end of a wall: they may lie on the next boundary.
 class Climb {
  public:
@@ -406,7 +406,7 @@ class Climb {
     }
   }
 
-  /// Closes strips whose next row has not the shape of a layer.
+  /// Closes strips whose next row does not have the shape of a layer.
   void judge_shapes() {
     for (std::size_t s = 0; s < strips_.size(); ++s) {
       Strip& strip = strips_[s];
@@ -479,7 +479,7 @@ class Climb {
     return any;
   }
 
-  /// The result. A column is as high as the higher one of the strips beside it.
+  /// Builds the result. A column is as high as the higher of the strips on its two sides.
   LayerStack stack() {
     LayerStack stack;
     stack.layer_of_element.assign(at(topology_.element_count()), -1);
@@ -516,7 +516,7 @@ class Climb {
   std::vector<bool> used_;      // #elements: in a layer
   std::map<Index, std::size_t> column_of_node_;  // of nodes above the wall
 
-  // Of the row that is being added.
+  // For the row that is being added:
   std::vector<std::vector<StripStep>> steps_;  // of each strip
   std::vector<Index> next_;                    // of each column; -1: none
 };

@@ -12,8 +12,8 @@ namespace {
 /// The range of the columns on one wall node, in the order along the wall.
 struct Fan {
   std::size_t first = 0, last = 0;
-  /// The star of the node is split at one edge between column first + k and the next one: its place
-  /// among the neighbours of the node.
+  /// Between columns first + k and first + k + 1 the star of the node is split at an edge: its
+  /// index among the neighbours of the node.
   std::vector<Index> spokes;
 };
 
@@ -88,8 +88,8 @@ class Inserter {
     return best;
   }
 
-  /// The node that replaces a wall node in an element outside: the rim of the column in whose
-  /// sector the element lies.
+  /// The node that replaces a wall node in an element outside the layers: the rim node of the
+  /// column in whose sector the element lies.
   Index stand_in(Index node, Index element) const {
     const auto it = fans_.find(node);
     if (it == fans_.end()) return node;
@@ -195,8 +195,8 @@ class Inserter {
     }
   }
 
-  /// The elements so far, with the interior edges of markers, whose nodes are held in this mesh,
-  /// too.
+  /// The elements outside the layers, with the interior edges of markers, whose nodes are held in
+  /// this mesh, too.
   MeshData outside_data() const {
     MeshData outside = data_;
     outside.markers.clear();

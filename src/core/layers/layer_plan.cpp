@@ -437,8 +437,8 @@ class Fitting {
     changed_ = true;
   }
 
-  /// Limits columns to the share of a gap that the rules of insertion give, or to the share that
-  /// they have if they were inserted by other rules.
+  /// Limits columns to the share of a gap that the rules of insertion give, or to the present share
+  /// if this is larger, as after an insertion by other rules.
   void keep_clear() {
     const double share = LayerOptions{}.clearance;
     double tallest = 0;
@@ -461,8 +461,8 @@ class Fitting {
     }
   }
 
-  /// Limits the change of thickness along the wall to that of the rules of insertion, or to the one
-  /// before.
+  /// Limits the change of thickness along the wall to that of the rules of insertion, or to the
+  /// difference of the granted thicknesses if this is larger.
   void keep_gentle() {
     const double steepest = LayerOptions{}.steepest;
     const auto settle = [&](std::size_t a, std::size_t b) {
@@ -495,14 +495,14 @@ class Fitting {
       column.heights = thinned(column.granted, room_[c]);
       column.limit = limits_[c];
     }
-    column.corrections.clear();  // they were of other heights
+    column.corrections.clear();  // they belong to the previous heights
   }
 
   LayerStack stack_;
   const Topology& topology_;
   const Coordinates& x_;
   const Coordinates& moved_;
-  std::vector<ColumnStand> before_;     // how the columns stood in x
+  std::vector<ColumnStand> before_;     // directions of the columns in x
   std::vector<double> granted_, room_;  // thickness of each column
   std::vector<LayerLimit> limits_;
   bool changed_ = false;

@@ -112,7 +112,7 @@ std::vector<Index> boundary_nodes(const Topology& topology) {
                       std::to_string(first) + " does (duplicate node)");
 }
 
-/// Refuses elements with two corners at one place, which are no sides of a crack.
+/// Refuses elements with two corners at one place: these cannot be the two sides of a crack.
 template <int D>
 void check_corners_apart(const Mesh& mesh, const Points<D>& x,
                          const std::vector<bool>& shared_place) {

@@ -30,7 +30,8 @@ Mesh make_mesh(const MeshData& data, std::vector<std::string>* warnings = nullpt
 
 /// A part of the plane.
 using Bounds = Box<2>;
-/// Smallest axis-parallel box around all used nodes of a plane mesh. Throws UsageError for another.
+/// Smallest axis-parallel box around all used nodes of a plane mesh. Throws UsageError for other
+/// meshes.
 Bounds bounds(const Mesh& mesh);
 /// The same of a volume mesh.
 Box<3> space_bounds(const Mesh& mesh);

@@ -69,7 +69,7 @@ struct MeshData {
   Index element_count() const { return static_cast<Index>(types.size()); }
   /// Dimension of the elements: that of the first one; 2 if there is none.
   int cell_dimension() const { return types.empty() ? 2 : dimension_of(types.front()); }
-  /// Of elements and coordinates that fit each other.
+  /// Kind of the mesh; elements and coordinates must fit each other.
   MeshKind kind() const { return kind_of(cell_dimension(), coordinates.dimension()); }
   std::span<const Index> element(Index e) const {
     const std::size_t begin = at(element_offsets[at(e)]);

@@ -40,7 +40,7 @@ CompressedRows star_rows(const CompressedRows& elements, Index node_count);
 
 /// The elements around each node of a volume mesh, by the numbers of a CurveOrder.
 struct OrderedStars {
-  /// corners: of the elements, as they are oriented.
+  /// corners: of the oriented elements.
   OrderedStars(const MeshData& data, const CompressedRows& corners);
 
   CurveOrder order;

@@ -2,8 +2,7 @@
 
 #include "core/mesh/mesh.h"
 
-/// Surfaces as lists of faces: of the boundary and of parts of volume meshes, and of surface
-/// meshes.
+/// Surfaces as lists of faces: the boundary and parts of volume meshes, and surface meshes.
 namespace winslow {
 
 /// A face of an element, counter-clockwise seen from outside the element.
@@ -14,13 +13,13 @@ struct SurfaceFace {
   Index marker = -1;     ///< index into Topology::markers(); -1: none
 };
 
-/// The boundary faces of a volume mesh and the faces of markers that lie inside it, each once. Of a
-/// surface mesh all elements.
+/// The boundary faces of a volume mesh and the faces of markers inside it, each once. For a surface
+/// mesh, all elements.
 std::vector<SurfaceFace> boundary_faces(const Topology& topology);
 
-/// The closed surface around chosen elements of a volume mesh: their faces that no two of them
-/// share. Of a surface mesh the chosen elements themselves.
-/// chosen: not 0 for a chosen element (#elements). The faces have no markers.
+/// The closed surface around chosen elements of a volume mesh: the faces that belong to only one of
+/// them. For a surface mesh, the chosen elements themselves. chosen: not 0 for a chosen element
+/// (#elements). The faces have no markers.
 std::vector<SurfaceFace> outer_faces(const Topology& topology,
                                      std::span<const unsigned char> chosen);
 
@@ -32,7 +31,7 @@ struct SurfaceEdges {
 SurfaceEdges surface_edges(std::span<const SurfaceFace> faces);
 
 /// Area vector of a face: its length is the area, and it points to the side from which the face is
-/// counter-clockwise. Of a quadrilateral half the cross product of the diagonals.
+/// counter-clockwise. For a quadrilateral it is half the cross product of the diagonals.
 Vec3 area_vector(const SpacePoints& x, const Face& face);
 Vec3 centre_of(const SpacePoints& x, const Face& face);  ///< mean of the corners
 /// Unit normal of a surface mesh at a node, along the sum of the area vectors of the elements

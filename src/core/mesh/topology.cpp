@@ -261,7 +261,7 @@ void TopologyBuilder::build_surface() {
     const auto [a, b] = first_face(data_, pairs_, f).edge();
     topology_->edges_.push_back({{std::min(a, b), std::max(a, b)}, pairs_.elements[at(f)]});
   }
-  pairs_ = {};  // the half-edges need the room
+  pairs_ = {};  // frees memory for the half-edges
   const auto mesh = make_half_edges(topology_->elements_, topology_->edges_, data_.node_count());
   NodeStars stars = surface_stars(*mesh, topology_->elements_);
   topology_->neighbours_ = std::move(stars.neighbours);

@@ -26,7 +26,7 @@ class HalfEdgeMesh;  // OpenMesh connectivity; see core/mesh/half_edge.h
 /// element with the other orientation in the file keeps its first node, and its other nodes are
 /// mirrored.
 ///
-/// A face is what separates two elements: an edge of a plane or surface mesh, a triangle or a
+/// A face separates two elements: it is an edge of a plane or surface mesh, a triangle or a
 /// quadrilateral of a volume mesh.
 class Topology {
  public:
@@ -144,11 +144,11 @@ void require_kind(const Topology& topology, MeshKind kind, std::string_view what
 inline void require_plane(const Topology& topology, std::string_view what) {
   require_kind(topology, MeshKind::plane, what);
 }
-/// Throws UsageError unless it is a volume mesh. found: as the message is to begin, mesh_kind()
-/// follows.
+/// Throws UsageError unless it is a volume mesh. found: the beginning of the message, which
+/// mesh_kind() completes.
 void require_volume(const Topology& topology, std::string_view found);
 
-/// Calls visit(2) of a plane mesh and visit(3) of a volume mesh, the numbers as
+/// Calls visit(2) for a plane mesh and visit(3) for a volume mesh; the argument is a
 /// std::integral_constant. Throws as require_plane() for a surface mesh.
 template <typename Visit>
 decltype(auto) in_dimension(const Topology& topology, std::string_view what, Visit&& visit) {

@@ -22,7 +22,7 @@ using CornerKernel = CornerSummary (*)(const CornerData&, Index begin, Index end
 
 /// For any processor.
 CornerKernel portable_corner_kernel();
-/// Null where compiler or processor have no AVX2.
+/// Null if the compiler or the processor does not support AVX2.
 CornerKernel avx2_corner_kernel();
 
 }  // namespace winslow

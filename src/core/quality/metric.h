@@ -37,8 +37,8 @@ struct Corner {
     area2 = cross(a, b);
   }
 
-  /// Of an element of a surface mesh, in its own plane. normal: the reference normal; the area is
-  /// negative if the corner is turned over.
+  /// A corner of an element of a surface mesh, in its own plane. normal: the reference normal; the
+  /// area is negative if the corner is turned over.
   Corner(const Vec3& p, const Vec3& next, const Vec3& previous, const Vec3& normal) {
     const Vec3 a = next - p, b = previous - p;
     set_lengths(a, b, next, previous);
@@ -81,7 +81,7 @@ inline Corner corner_of(const Coordinates& x, std::span<const Index> element, st
   return {x.xy(element[k]), x.xy(element[(k + 1) % n]), x.xy(element[(k + n - 1) % n])};
 }
 
-/// The same of a surface mesh.
+/// The same for a surface mesh.
 inline Corner corner_of(const Points<3>& x, std::span<const Index> element, std::size_t k,
                         const Vec3& normal) {
   const std::size_t n = element.size();
@@ -176,7 +176,7 @@ struct FieldInfo : FieldTraits {
   std::string_view help;   ///< what it is, in whole sentences
   bool larger_is_better;
   ColorRange colors;
-  double threshold;  ///< beyond it elements are isolated unless the user says otherwise
+  double threshold;  ///< default limit for isolating elements
 };
 
 /// A metric of plane elements or of volume elements.
@@ -185,7 +185,7 @@ struct MetricInfo {
   using OfVolume = double (VolumeElement::*)() const;
   using OfCorner = double (Corner::*)() const;
 
-  /// best: if given, the metric is reported.
+  /// best: end of the histogram; if it is given, the metric is reported.
   constexpr MetricInfo(Metric m, const FieldInfo& f, OfElement of, std::optional<double> b = {},
                        OfCorner corner = nullptr)
       : metric(m),
@@ -201,8 +201,8 @@ struct MetricInfo {
   FieldInfo field;
   OfElement of_element = nullptr;  ///< of the corners of a plane element, in the order of its nodes
   OfVolume of_volume = nullptr;    ///< a metric has one of the two
-  /// Statistics are of this value of all corners of all elements; null: of the finite values of the
-  /// elements.
+  /// Statistics use this value of all corners of all elements; null: they use the finite values of
+  /// the elements.
   OfCorner of_corner = nullptr;
   bool reported;  ///< in reports, with statistics, histograms and the worst elements
   double best;    ///< end of the histogram

@@ -36,7 +36,7 @@ class ElementCorners {
   std::size_t count_;
 };
 
-/// Of a plane mesh or a surface mesh. normals: reference normals; empty: there are none.
+/// For a plane mesh or a surface mesh. normals: reference normals; empty: there are none.
 ElementCorners corners_of(const Topology& topology, const Coordinates& x,
                           std::span<const Vec3> normals, Index e) {
   const auto element = topology.element(e);
@@ -211,7 +211,7 @@ Index worst_element(const Mesh& mesh, Metric metric) {
 
 namespace {
 
-/// Of all elements together. of_block(begin, end): of the elements of a block.
+/// Validity of all elements. of_block(begin, end): that of a block of elements.
 template <typename OfBlock>
 Validity check_blocks(Index n, int threads, const OfBlock& of_block) {
   std::vector<Validity> blocks(at((n + parallel_block - 1) / parallel_block), Validity{0, 1.0});
@@ -226,7 +226,7 @@ Validity check_blocks(Index n, int threads, const OfBlock& of_block) {
   return total;
 }
 
-/// The same; add(element, sum) adds one element.
+/// The same, element by element: add(element, sum) adds one element to the sum.
 template <typename Add>
 Validity check_elements(Index n, int threads, const Add& add) {
   return check_blocks(n, threads, [&](Index begin, Index end) {

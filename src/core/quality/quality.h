@@ -53,7 +53,7 @@ struct QualityOptions {
   int histogram_bins = 20;
   int worst = 10;   ///< how many worst elements to list for each metric and wall field
   int threads = 0;  ///< 0 for all cores
-  /// Of a surface mesh: reference normals (#elements); empty: the elements' own.
+  /// For a surface mesh: reference normals (#elements); empty: the elements' own normals.
   std::vector<Vec3> normals;
   /// The same nodes as they were before (#nodes by 2), for WallField::first_height_ratio; null:
   /// it has no list.
@@ -90,13 +90,13 @@ struct QualityReport {
 
 QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options = {});
 
-/// All nodes of an element lie on the boundary.
+/// True if all nodes of an element lie on the boundary.
 bool all_on_boundary(const Topology& topology, Index e);
 
 /// Value of a metric for each element (#elements). normals: as in QualityOptions.
 std::vector<double> element_values(const Mesh& mesh, Metric metric,
                                    std::span<const Vec3> normals = {});
-/// The element with the worst value of a metric, the first of several. mesh: with elements.
+/// The first element with the worst value of a metric. The mesh must have elements.
 Index worst_element(const Mesh& mesh, Metric metric);
 /// The value of one element. normals: as in QualityOptions.
 double element_value(const Mesh& mesh, Index element, Metric metric,

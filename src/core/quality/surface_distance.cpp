@@ -112,7 +112,7 @@ std::vector<double> element_distances(const Mesh& mesh, const SurfaceDistance& f
 
 namespace {
 
-/// Only for a closed surface.
+/// Enclosed volume; none unless the surface is closed.
 std::optional<double> volume_of(const Mesh& mesh) {
   const auto is_border = [](const Topology::Edge& edge) { return edge.elements[1] < 0; };
   if (std::ranges::any_of(mesh.topology->edges(), is_border)) return std::nullopt;

@@ -32,7 +32,7 @@ class SurfaceDistance {
 std::vector<double> element_distances(const Mesh& mesh, const SurfaceDistance& from,
                                       int threads = 0);
 double element_distance(const Mesh& mesh, Index element, const SurfaceDistance& from);
-/// The distances of its nodes (#nodes); 0 for nodes that no element uses.
+/// The distances of the nodes of a mesh (#nodes); 0 for nodes that no element uses.
 std::vector<double> node_distances(const Mesh& mesh, const SurfaceDistance& from, int threads = 0);
 
 /// The change from one surface mesh to another one of the same shape: distances and enclosed
@@ -53,7 +53,7 @@ struct SurfaceChange {
 /// meshes.
 SurfaceChange compare_surfaces(const Mesh& before, const Mesh& after, int threads = 0);
 
-/// The same if the distances of the mesh after are known. after_to_before: its element_distances().
+/// The same with known distances. after_to_before: element_distances() of `after`.
 SurfaceChange compare_surfaces(const Mesh& before, const SurfaceDistance& to_before,
                                const Mesh& after, std::span<const double> after_to_before,
                                int threads = 0);

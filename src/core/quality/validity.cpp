@@ -96,7 +96,7 @@ double first_positive_root(double d0, double d1, double d2, double d3) {
     if (!(p(t) > 0)) return root_between(p, low, t);
     low = t;
   }
-  // Beyond the last extreme it falls for ever or never.
+  // Beyond the last extreme the cubic is monotone to infinity.
   const bool falls = d3 != 0 ? d3 < 0 : d2 != 0 ? d2 < 0 : d1 < 0;
   if (!falls) return infinite;
   double high = std::max(2 * low, 1.0);

@@ -67,10 +67,10 @@ Quantiles quantiles_of(std::vector<double> values) {
 
 namespace {
 
-/// Makes one value of two.
+/// Combines two values into one.
 using Choice = std::function<double(double, double)>;
 
-/// The choice of two values, or the one that is not NaN.
+/// Combines two values with `choice`; if one is NaN, returns the other one.
 double chosen(double a, double b, const Choice& choice) {
   if (std::isnan(a)) return b;
   return std::isnan(b) ? a : choice(a, b);
@@ -310,8 +310,8 @@ std::vector<double> largest(const Mesh& mesh, std::span<const NeighbourRatio> ra
   return values;
 }
 
-/// How the values at the two ends of a wall edge become one, and the values of several wall edges
-/// of one element.
+/// How to combine the values at the two ends of a wall edge, and those of several wall edges of one
+/// element.
 struct Choices {
   Choice of_ends, of_edges;
 };

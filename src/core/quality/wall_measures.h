@@ -13,7 +13,8 @@ struct Wall {
   std::vector<std::string> markers;  ///< markers with faces in it, in the order of the mesh
 };
 
-/// The walls of a plane mesh, in the order of its boundary loops. Throws UsageError for another.
+/// The walls of a plane mesh, in the order of its boundary loops. Throws UsageError for other
+/// meshes.
 std::vector<Wall> find_walls(const Mesh& mesh);
 
 /// The distribution of a list of numbers.
@@ -44,9 +45,8 @@ Quantiles quantiles_of(std::vector<double> values);
 /// the edge has no height.
 std::vector<double> first_heights(const Mesh& mesh, const Wall& wall);
 
-/// Angles in degrees between the first edge off each node of a wall and the normal of the wall
-/// there
-/// (#nodes; NaN where no edge leads off the wall, or the normal is not defined). The normal is the
+/// Angles in degrees between the first edge off each node of a wall and the wall's normal there
+/// (#nodes; NaN if no edge leads off the wall, or the normal is not defined). The normal is the
 /// mean of the unit normals of the two wall edges; the first edge is the one with the least angle.
 std::vector<double> first_edge_tilts(const Mesh& mesh, const Wall& wall);
 
@@ -91,12 +91,11 @@ WallReport measure_walls(const Mesh& mesh);
 ///
 ///     const auto heights = winslow::element_values(mesh, winslow::WallField::first_height);
 
-/// Measures of the cells at walls, and of the sizes of neighbours, as a number of each element:
+/// Fields for the cells at walls and for the sizes of neighbours, one number per element:
 /// - first_height: of an element with an edge on a wall, the mean of the first heights at the ends
 ///   of that edge, in units of the mesh;
-/// - first_height_ratio: of such an element, the first height over the one before, at the end of
-/// its
-///   edge where this ratio is further from 1, as a factor;
+/// - first_height_ratio: of such an element, the first height over the earlier one, at the end of
+///   its edge where this ratio is further from 1, as a factor;
 /// - first_edge_tilt: of such an element, the larger of the tilts at the ends of its edge, degrees;
 /// - growth: of an element in a column of quadrilaterals over a wall, the larger of its ratios to
 ///   the next cells of the column;
@@ -109,7 +108,7 @@ const std::vector<WallField>& all_wall_fields();
 const FieldInfo& wall_field_info(WallField field);
 
 /// Value of each element (#elements). before: the earlier coordinates of the nodes (#nodes by 2),
-/// for first_height_ratio alone; if it is null or of another number of nodes, that has no values.
+/// only for first_height_ratio, which has no values if it is null or has another number of nodes.
 std::vector<double> element_values(const Mesh& mesh, WallField field,
                                    const Coordinates* before = nullptr);
 

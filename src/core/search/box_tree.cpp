@@ -177,14 +177,14 @@ void BoxTree<D>::search(const Spot& spot, const Measure& measure, Nearest& best)
   search(swap ? first : second, measure, best);
 }
 
-/// Distances by the function of the caller.
+/// Distances computed by the caller's function.
 template <int D>
 struct BoxTree<D>::ByCaller {
   const BoxTree& tree;
   const Vec<D>& point;
   const Distance& distance;
 
-  /// Not less than the square of which the length may be the rounded root.
+  /// Upper bound of all squares whose rounded root is `length`.
   static double square(double length) { return length * length * (1 + 4 * epsilon); }
   double of_item(Index place, double best) const {
     if (tree.box(place).squared_distance(point) > square(best)) return infinity;

@@ -69,7 +69,7 @@ struct Ray {
 
 /// A bounding-volume hierarchy: finds items by their axis-aligned boxes, in the plane (D = 2) and
 /// in space (D = 3). Items are numbers from 0 on; the caller knows what they are. The tree depends
-/// on the boxes alone. Of equally near items the result is the lowest.
+/// on the boxes alone. Among equally near items the search returns the lowest.
 template <int D>
 class BoxTree {
  public:
@@ -96,7 +96,7 @@ class BoxTree {
   /// The item nearest to a point within `radius`.
   std::optional<Nearest> nearest(const Vec<D>& point, double radius,
                                  const Distance& distance) const;
-  /// The same for items that are their boxes, such as points.
+  /// The same for items that are identical to their boxes, such as points.
   std::optional<Nearest> nearest(const Vec<D>& point, double radius) const;
 
   /// Calls `visit` with every item whose box has a common point with the given one, in the order of

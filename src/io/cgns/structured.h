@@ -23,8 +23,8 @@ struct Lattice {
 /// Numbers the nodes of a structured zone. A zone that touches itself one to one (the cut of a
 /// C-grid or an O-grid: GridConnectivity1to1_t to the zone itself) is closed: the two vertices of a
 /// pair become one node if their places agree up to 1e-7 of the extent. Otherwise, and for a
-/// periodic connection, the cut stays open. `joined`: names of the connections that were closed. x,
-/// y: of every vertex.
+/// periodic connection, the cut stays open. `joined`: names of the closed connections. x, y:
+/// coordinates of every vertex.
 Lattice make_lattice(const NodeView& zone, const ZoneHead& head, const std::vector<double>& x,
                      const std::vector<double>& y, std::vector<std::string>& joined,
                      std::vector<std::string>& warnings);

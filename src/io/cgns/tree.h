@@ -6,13 +6,13 @@
 
 /// The tree of a CGNS file: named, labelled nodes with data ("CGNS File Mapping Manual"). The SIDS,
 /// "CGNS Standard Interface Data Structures", define what the nodes mean; the other files of this
-/// folder interpret them. This header needs no library.
+/// folder interpret them. Does not depend on libcgns.
 namespace winslow::io::cgns {
 
 struct Node;
 using NodePtr = std::shared_ptr<const Node>;
 
-/// A node never changes once it is part of a tree: trees share what they have in common.
+/// A node never changes once it is part of a tree, so trees can share nodes.
 struct Node {
   std::string name;
   std::string label;
@@ -21,7 +21,7 @@ struct Node {
   std::string data;                ///< the values, as many as dims say, in their memory layout
   std::vector<NodePtr> children;
 
-  // For a link ("LK") only, which of the above has only a name:
+  // Only for a link ("LK"), for which the name is the only member above that is set:
   std::string link_file;             ///< empty: the link leads to a node of this file
   std::string link_path;             ///< "/Base/Zone/..."
   std::weak_ptr<const Node> target;  ///< the node at that path in this file, once resolved

@@ -42,8 +42,8 @@ std::optional<NodeView> coordinate_node(const NodeView& grid, std::size_t direct
 struct VertexPlaces {
   std::array<std::vector<double>, 3> of;
 };
-/// Reads the coordinates. Throws InputError if their type is not real, if their number is not that
-/// of the vertices, or if one is not finite.
+/// Reads the coordinates. Throws InputError for missing ones, other types than real numbers, a
+/// number other than that of the vertices, and values that are not finite.
 VertexPlaces read_places(const NodeView& grid, const ZoneHead& head);
 
 /// Numbers of the element types that readers and writers treat apart (ElementType_t of the SIDS).

@@ -18,7 +18,7 @@ namespace winslow::io {
 struct MeshFormat;     // io/format/mesh_format.h
 class PlanePlacement;  // io/format/mesh_in_space.h
 
-/// What a file says beyond a Mesh (version, entity and node tags, order of blocks, ...). Kept from
+/// Content of a file beyond a Mesh (version, entity and node tags, order of blocks, ...). Kept from
 /// reading to writing, so that in a file of the same format only the coordinates change. Each
 /// format derives its own class.
 struct FormatDetails {
@@ -31,7 +31,7 @@ struct FormatDetails {
   Index nodes = 0, elements = 0;  ///< sizes of the mesh that was read
   std::vector<int> zones;         ///< numbers of all zones of the file; empty: no zones
   int zone = 0;                   ///< the one that was read
-  /// What the file says of periodic sides; null for details that came from no file.
+  /// Periodic sides that the file names; null for details that came from no file.
   std::shared_ptr<GivenPeriodicity> periodic;
 
   /// True if a mesh has as many nodes and elements as the one that was read.
@@ -70,7 +70,7 @@ struct WriteOptions {
 
 /// Writes a mesh to a temporary file beside `path` and renames it. `details` may be null or of
 /// another format; what does not apply is ignored. Returns warnings (markers lost, ...). Throws
-/// OutputError (the target is then as it was) and UsageError (unknown extension).
+/// OutputError (the target is then unchanged) and UsageError (unknown extension).
 std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mesh& mesh,
                                     const FormatDetails* details, const WriteOptions& options = {});
 

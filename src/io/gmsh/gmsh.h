@@ -80,7 +80,7 @@ struct PeriodicLink {
   std::size_t offset = 0;                          ///< in the file
 };
 
-/// What an MSH file says beyond a mesh.
+/// Content of an MSH file beyond a Mesh.
 struct Details : BoundaryDetails {
   int dimension = 2;  ///< of the elements of the mesh
   bool version_4 = true;

@@ -19,7 +19,7 @@ struct Kind {
 /// Edges, triangles, ..., hexahedra, in the order in which they are written.
 std::span<const Kind> kinds();
 
-/// What a file says beyond a mesh.
+/// Content of a file beyond a Mesh.
 struct Details : BoundaryDetails {
   struct Section {
     enum class Part { raw, dimension, vertices, cells } part;

@@ -4,9 +4,9 @@
 #include "io/format/parsed_mesh.h"
 
 /// Meshes of OpenFOAM: the folder constant/polyMesh of a case, with the files points, faces, owner,
-/// neighbour and boundary; OpenFOAM User Guide, "Mesh description". ASCII, each file compressed or
-/// not. A path may be the folder, its case, or an (empty) file NAME.foam in the case, as ParaView
-/// needs it.
+/// neighbour and boundary; OpenFOAM User Guide, "Mesh description". ASCII; each file may be
+/// compressed. A path may be the folder, its case, or an (empty) file NAME.foam in the case, as
+/// ParaView needs it.
 namespace winslow::io::openfoam {
 
 /// In the order in which they are read.

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Version of the format; a reader refuses newer versions.
+/// Version of the format; a reader refuses all others.
 constexpr int recipe_version = 1;
 
 Recipe parse_recipe(const json& document, const std::filesystem::path& folder) {

@@ -15,7 +15,7 @@ struct BoxPoint {
   Vec3 place;  ///< z is 0 in the plane
 };
 
-/// What an SU2 file says beyond a mesh: the order of its sections, comments, unknown sections and
+/// Content of an SU2 file beyond a Mesh: the order of its sections, comments, unknown sections and
 /// its other zones.
 struct Details : FormatDetails {
   enum class Part { text, dimension, elements, points, marker_count, marker };

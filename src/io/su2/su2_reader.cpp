@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view keywords =
     "a keyword: NDIME=, NELEM=, NPOIN=, NMARK=, MARKER_TAG= or MARKER_ELEMS=";
 
-/// Finds what the line ends of all points have in common.
+/// Finds the common form of the line ends of all points.
 class Tails {
  public:
   explicit Tails(Index count) { views_.reserve(static_cast<std::size_t>(count)); }

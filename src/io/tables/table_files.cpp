@@ -169,7 +169,7 @@ namespace {
 /// Content of a column; `none`: not used.
 enum class Column { none, node, x, y, z, dx, dy, dz };
 
-/// Component of a vector column, counted from the vector's column of x.
+/// Component (0, 1 or 2) of a vector's column; of_x: the column of its first component.
 int component(Column column, Column of_x) {
   return static_cast<int>(column) - static_cast<int>(of_x);
 }

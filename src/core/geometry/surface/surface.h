@@ -23,7 +23,7 @@ class Surface {
   /// The point of the surface nearest to a point. Planes, cylinders and spheres extend beyond their
   /// faces.
   virtual SurfacePoint nearest(const Vec3& point) const = 0;
-  /// Whether it extends beyond its faces.
+  /// Whether the surface extends beyond its faces.
   virtual bool goes_on() const { return false; }
   /// "plane", "cylinder of radius 2", "sphere of radius 1", "smooth surface through 200 nodes": for
   /// reports.

@@ -14,8 +14,8 @@ struct Triangulation {
   std::vector<std::array<Index, 3>> triangles;  ///< of points
 };
 
-/// The triangles of a triangle (itself) or of a quadrilateral, which is cut along its shorter
-/// diagonal, as numbers of the corners. face: nodes.
+/// Splits a face into triangles, as numbers of its corners: a triangle is its own, a quadrilateral
+/// is cut along its shorter diagonal. face: nodes.
 std::span<const std::array<std::size_t, 3>> triangles_of(const SpacePoints& x,
                                                          std::span<const Index> face);
 
@@ -42,7 +42,8 @@ class TriangleTree {
   TriangleTree() = default;
   explicit TriangleTree(const Triangulation& surface);
 
-  /// surface: the one that the tree was made of. Of equally near triangles the first.
+  /// surface: the triangulation that was given to the constructor. Of several equally near
+  /// triangles, returns the first.
   TrianglePlace nearest(const Triangulation& surface, const Vec3& point) const;
 
  private:

@@ -76,7 +76,7 @@ std::vector<Index> SectionIndex::near(const Plane& plane, double slack) const {
   const Index count = order_->corners.rows();
   for (std::size_t b = 0; b < boxes_.size(); ++b) {
     const double reach = 0.5 * across.dot(boxes_[b].size()) + slack;
-    // False for NaN, so that such blocks are among the result.
+    // The comparison is false for NaN, so that blocks with NaN are included.
     if (std::abs(plane.distance(boxes_[b].centre())) > reach) continue;
     const Index begin = static_cast<Index>(b) * block_size;
     for (Index e = begin; e < std::min(count, begin + block_size); ++e) near.push_back(e);
@@ -253,7 +253,7 @@ const std::array<TetrahedronCut, 16>& tetrahedron_cuts() {
   return all;
 }
 
-/// Cuts one element after the other.
+/// Cuts elements and collects the section.
 class Cutter {
  public:
   Cutter(const OrderedMesh& mesh, NodeSides& sides) : mesh_(mesh), sides_(sides) {}
@@ -292,7 +292,7 @@ class Cutter {
 
   static constexpr std::size_t most_edges = 12;
 
-  /// An edge of an element from one side of the plane to the other.
+  /// An edge of an element that crosses the plane.
   struct Crossing {
     Index behind, front;  // nodes
     std::size_t next;     // crossing that follows around the section

@@ -11,9 +11,9 @@ namespace winslow {
 /// connected with the nodes.
 std::vector<Index> element_layers(const Topology& topology, std::span<const Index> nodes);
 
-/// Which faces of a boundary enclose bodies (#faces, 1 or 0). A box around a wing does and the wing
-/// does not, although both may be connected in a plane of symmetry. All are 0 if the mesh encloses
-/// no body, as for the mesh of a solid.
+/// Which faces of a boundary enclose bodies (#faces, 1 or 0): those of a box around a wing, but not
+/// the wing's, although both may be connected in a plane of symmetry. All are 0 if the mesh
+/// encloses no body, as for the mesh of a solid.
 ///
 /// A part is a set of faces of one marker that are connected by edges. A part encloses if most of
 /// its area lies on the convex hull of the mesh, up to 1 % of the extent of the mesh. The other
