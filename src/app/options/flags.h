@@ -77,7 +77,7 @@ void add_quiet_flag(CLI::App& app, bool& quiet);
 /// Checks an output path before a long solve. Throws UsageError if the extension of a mesh is
 /// unknown, OutputError if the folder does not exist or is not writable. Accepts an empty path.
 void check_mesh_output(const std::string& path);
-/// The same for any other file.
+/// Checks the path of any other output file in the same way.
 void check_output(const std::string& path);
 /// Throws UsageError if two output files have the same path.
 void check_distinct(const std::vector<std::string>& paths);

@@ -19,7 +19,7 @@ enum class ExitCode {
   interrupted = 130,  ///< stopped by Ctrl-C or SIGTERM
 };
 
-/// The same for the foot of help texts.
+/// The exit codes, for the end of help texts.
 inline constexpr std::string_view exit_code_help =
     "Exit status: 0 done and valid; 2 wrong usage; 3 a file cannot be read, is wrong or cannot be\n"
     "written; 4 the result has inverted elements (nothing is written unless --allow-inverted), or\n"

@@ -79,7 +79,8 @@ class CurveRow {
   /// the corner cannot slide.
   bool can_move() const { return !shares_.empty(); }
 
-  /// For each of between() the share of the length of the row from the first node to it, 0 to 1.
+  /// For each node of between(), its distance from the first node as a share of the length of the
+  /// row, 0 to 1.
   std::span<const double> shares() const { return shares_; }
   /// Derivative of the arc length of between()[k] by that of the last node. Its derivative by that
   /// of the first node is 1 minus this.

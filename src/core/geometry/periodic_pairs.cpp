@@ -34,7 +34,7 @@ void add_unmarked(const Topology& topology, std::vector<bool>& nodes) {
   });
 }
 
-/// For each node whether it is on another marker than these.
+/// Whether each node is on a marker other than these.
 std::vector<bool> on_markers(const Topology& topology, const std::vector<std::string>& names) {
   std::vector<bool> elsewhere(at(topology.node_count()), false);
   const auto& markers = topology.markers();

@@ -19,7 +19,7 @@ struct Chain {
   bool loop() const { return !closed && nodes.size() > 1 && nodes.front() == nodes.back(); }
 };
 
-/// For each node the other ends of its edges.
+/// For each node, the other ends of its edges.
 using EdgeEnds = std::map<Index, std::vector<Index>>;
 
 /// Divides edges into chains. Chains continue through nodes for which `passes` is true, which must

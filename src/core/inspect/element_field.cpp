@@ -54,8 +54,8 @@ std::vector<double> layer_values(const Topology& topology, const Coordinates& x,
                                  const LayerStack* layers) {
   std::vector<double> values(at(topology.element_count()), none);
   if (!layers || layers->layer_of_element.size() != values.size()) return values;
-  // Of each node of a column the layer below it and the relative error of its height; columns may
-  // share their first node, which has no layer below.
+  // For each node of a column: the layer below it, and the relative error of that layer's height.
+  // Columns may share their first node, which has no layer below.
   std::vector<int> layer_of_node(at(topology.node_count()), -1);
   std::vector<double> error(layer_of_node.size(), none);
   for (const LayerColumn& column : layers->columns)

@@ -167,7 +167,7 @@ class Inserter {
     for (const LayerColumn& column : stack_.columns) {
       if (!column.along_boundary || column.count() == 0) continue;
       const auto row = topology_.neighbours(column.wall_node);
-      // Of the two boundary edges at the end of a wall, the one that points along the column.
+      // The column lies on that of the two boundary edges which points along it.
       const Vec2 p = old_.coordinates.xy(column.wall_node);
       const auto along = [&](Index node) {
         return (old_.coordinates.xy(node) - p).normalized().dot(column.direction);
@@ -176,7 +176,8 @@ class Inserter {
       divided[{column.wall_node, other}] = &column;
     }
     if (!topology_.markers().from_file()) return;
-    // From a node of a boundary edge along the column on it, if there is one.
+    // Nodes of the column that lies on the boundary edge and starts at `from`; if there is none,
+    // only `from`.
     const auto up = [&](Index from, Index to) {
       const auto found = divided.find({from, to});
       return found == divided.end() ? std::vector<Index>{from} : found->second->nodes;

@@ -54,7 +54,7 @@ struct LayerColumn {
   LayerLimit granted_limit = LayerLimit::none;
   /// Factors of the heights in the VCVs, with which the mesh gets the wanted heights; empty: 1.
   std::vector<double> corrections;
-  /// Of a column that was found in the mesh: angle from `direction` to each edge,
+  /// For a column that was found in the mesh: angle from `direction` to each edge,
   /// counter-clockwise, radians (#heights); empty: the column is straight.
   std::vector<double> bends;
   LayerEnd end = LayerEnd::none;

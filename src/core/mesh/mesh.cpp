@@ -188,7 +188,7 @@ class HangingNodes {
                   "node " + std::to_string(node) + " lies inside the " + where + " (hanging node)");
 }
 
-/// Of a plane or surface mesh: refuses boundary nodes inside a boundary edge.
+/// For a plane or surface mesh: refuses boundary nodes inside a boundary edge.
 template <int D>
 void check_hanging(const Topology& topology, const Points<D>& x) {
   const HangingNodes<D> hanging(x, boundary_nodes(topology));
@@ -258,7 +258,7 @@ void check_extents(const Topology& topology, const char* fault, const HasExtent&
   });
 }
 
-/// Of a volume mesh: refuses boundary nodes inside a boundary face that they are no corners of.
+/// For a volume mesh: refuses boundary nodes inside a boundary face of which they are no corners.
 void check_hanging_on_faces(const Topology& topology, const SpacePoints& x) {
   const HangingNodes<3> hanging(x, boundary_nodes(topology));
   for_boundary_faces(topology, [&](Index, const Topology::SharedFace& face) {

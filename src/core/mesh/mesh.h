@@ -33,11 +33,11 @@ using Bounds = Box<2>;
 /// Smallest axis-parallel box around all used nodes of a plane mesh. Throws UsageError for other
 /// meshes.
 Bounds bounds(const Mesh& mesh);
-/// The same of a volume mesh.
+/// Smallest box around all used nodes of a volume mesh.
 Box<3> space_bounds(const Mesh& mesh);
 Box<3> space_bounds(const Coordinates& coordinates, std::span<const Index> nodes);
 
-/// The same around given nodes. Throws UsageError if there are none.
+/// Smallest box around given nodes in the plane. Throws UsageError if there are none.
 Bounds bounds(const Coordinates& coordinates, std::span<const Index> nodes);
 
 /// Coordinates relative to a point near the mesh, for meshes far from the origin (UTM). With
@@ -48,7 +48,7 @@ Bounds bounds(const Coordinates& coordinates, std::span<const Index> nodes);
 /// centre, so that differences are exact (Sterbenz) and the way back gives the same bits.
 class LocalFrame {
  public:
-  /// Of a plane mesh or of a volume mesh. Throws UsageError for a surface mesh.
+  /// The frame of a plane or volume mesh. Throws UsageError for a surface mesh.
   explicit LocalFrame(const Mesh& mesh);
 
   /// False for a mesh near the origin: the frame is that of the mesh.

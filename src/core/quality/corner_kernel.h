@@ -17,10 +17,10 @@ struct CornerSummary {
   double min_sine = 1;  ///< of all corners; at most 1
 };
 
-/// Of the elements [begin, end).
+/// Summarises the corners of the elements [begin, end).
 using CornerKernel = CornerSummary (*)(const CornerData&, Index begin, Index end);
 
-/// For any processor.
+/// The kernel for any processor.
 CornerKernel portable_corner_kernel();
 /// Null if the compiler or the processor does not support AVX2.
 CornerKernel avx2_corner_kernel();

@@ -48,7 +48,7 @@ const std::vector<Metric>& limited_metrics();
 
 /// Limits for the quality of all elements.
 struct QualityFloor {
-  /// Of limited_metrics(), in their order: the least value if larger is better, else the largest.
+  /// A limit for each of limited_metrics(): the least value if larger is better, else the largest.
   std::vector<std::optional<double>> limits =
       std::vector<std::optional<double>>(limited_metrics().size());
 

@@ -48,8 +48,8 @@ struct Corner {
 
   bool inverted() const { return !(area2 > 0); }
   double sine() const { return l1 > 0 && l2 > 0 ? area2 / (l1 * l2) : 0; }
-  /// From the next edge counter-clockwise to the previous one, degrees in (-180, 180]: negative if
-  /// the corner is inverted.
+  /// Angle from the next edge counter-clockwise to the previous one, degrees in (-180, 180]:
+  /// negative if the corner is inverted.
   double angle() const { return degrees(std::atan2(area2, dot)); }
   /// R/(2r): 1 for the equilateral triangle.
   double radius_ratio() const {
@@ -108,7 +108,7 @@ inline Corner corner_of(const Points<3>& x, std::span<const Index> element, std:
 /// An element is inverted if any of its corners has an area that is not positive. Aspect ratio and
 /// condition number of an inverted element are infinite; statistics leave them out.
 ///
-/// Of volume elements (a corner is the tetrahedron of a corner and its three neighbours in the
+/// For volume elements (a corner is the tetrahedron of a corner and its three neighbours in the
 /// element, E its edges there, W those of the regular element's corner; see corner_tetrahedra()):
 /// - normalized_jacobian: smallest det E / (|e1| |e2| |e3|) of the corners over that of the regular
 ///   element's corner; of a tetrahedron all four corners count. (Verdict: scaled Jacobian.) 1 for

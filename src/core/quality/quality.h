@@ -55,8 +55,8 @@ struct QualityOptions {
   int threads = 0;  ///< 0 for all cores
   /// For a surface mesh: reference normals (#elements); empty: the elements' own normals.
   std::vector<Vec3> normals;
-  /// The same nodes as they were before (#nodes by 2), for WallField::first_height_ratio; null:
-  /// it has no list.
+  /// Earlier coordinates of the nodes (#nodes by 2), for WallField::first_height_ratio; null: no
+  /// list for it.
   const Coordinates* before = nullptr;
 };
 

@@ -62,7 +62,7 @@ std::string element_hint(std::int64_t type, int cell_dimension);
 struct ElementPlace {
   enum class Kind : std::uint8_t { none, point, line, side, cell };
   Kind kind = Kind::none;  ///< none: the zone has no element of that number
-  /// Of a side: among the sides of the zone; of a cell: among the elements of the mesh.
+  /// Index of a side among the sides of the zone, or of a cell among the elements of the mesh.
   Index index = -1;
 };
 

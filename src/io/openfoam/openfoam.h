@@ -9,7 +9,7 @@
 /// ParaView needs it.
 namespace winslow::io::openfoam {
 
-/// In the order in which they are read.
+/// The files of a mesh, in the order in which they are read.
 constexpr std::array<const char*, 5> file_names{"points", "faces", "owner", "neighbour",
                                                 "boundary"};
 

@@ -67,7 +67,7 @@ class SmoothSurface final : public Surface {
   /// normals: unit normals at the points (#points).
   SmoothSurface(Triangulation surface, std::span<const Vec3> normals);
 
-  /// For points beyond the border the nearest point of the border.
+  /// For points beyond the border, returns the nearest point of the border.
   SurfacePoint nearest(const Vec3& point) const override;
   std::string description() const override;
 

@@ -337,9 +337,9 @@ class Cutter {
     }
   }
 
-  /// Of a quadrilateral with two opposite corners in front: whether the saddle point of the
-  /// bilinear distance lies in front, too. Products of two numbers, so that the result is the same
-  /// for both elements of the face.
+  /// For a quadrilateral with two opposite corners in front: whether the saddle point of the
+  /// bilinear distance also lies in front. Compares products of two numbers, so that both elements
+  /// of the face get the same result.
   bool front_joined(const Face& face) const {
     const std::size_t first = in_front(face[0]) ? 0 : 1;
     const auto d = [&](std::size_t k) { return sides_.distance(face[(first + k) % 4]); };
