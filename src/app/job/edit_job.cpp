@@ -280,8 +280,8 @@ void print_outcome(const EditJob& job, const std::vector<ZoneRun>& zones, const 
   std::cout << run.seconds.total << " s\n";
 }
 
-/// Warns about damage to a valid result that may hurt a flow solver. Requested changes of layer
-/// heights do not count.
+/// Warns about damage to a valid result that may hurt a flow solver. Commands that request heights
+/// of layers suppress the warning.
 void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
   if (std::ranges::any_of(zone.commands, [](const std::optional<Command>& command) {
         return command && asks_for_heights(*command);

@@ -81,8 +81,7 @@ struct ZoneResult {
   const QualityReport* quality;
   const QualityReport* before;             ///< of the mesh that was read; null: mesh unchanged
   const LayerStack* layers;                ///< null: none
-  const SurfaceChange* surface = nullptr;  ///< for a surface mesh, change from the mesh read; else
-                                           ///< null
+  const SurfaceChange* surface = nullptr;  ///< change of a surface mesh by the run; else null
   /// Periodic sides that the file names for this mesh; null: not reported.
   const GivenPeriodicity* periodic = nullptr;
 };

@@ -9,10 +9,10 @@ namespace winslow {
 /// Reference normals of the elements of a surface mesh. An element is turned over if it faces away
 /// from its reference normal.
 ///
-/// The reference normal of an element is the mean of the normals of the surface at its nodes, on
-/// the side to which most area of that part of the surface faces. Nodes on feature lines, where the
-/// surface has several normals, do not count. An element with all nodes on feature lines has the
-/// normal that it has in the given mesh.
+/// The reference normal of an element is the mean of the normals of the surface at its nodes. It
+/// points to the side to which most area of that part of the surface faces. Nodes on feature lines,
+/// where the surface has several normals, do not count. An element with all nodes on feature lines
+/// has the normal that it has in the given mesh.
 class ElementNormals {
  public:
   /// given: coordinates of the mesh in which the boundary was found.

@@ -117,8 +117,8 @@ class ReferenceLines {
   /// Length of the shortest edge at each node (#nodes).
   const std::vector<double>& shortest() const { return shortest_; }
   /// Nodes that move to corners of the reference surface, which faces of the mesh would cut off.
-  /// For each corner it is the nearest node at which the edges along a line end, if its distance is
-  /// between half and one mean length of the edges at it.
+  /// For each corner it is the nearest node at which the edges along a line end. Its distance must
+  /// be between half and one mean length of its edges.
   const std::map<Index, Vec3>& corners() const { return corners_; }
   /// Nodes at which the edges along a line end before the line fades out. There the reference
   /// surface turns by less than the feature angle. Nodes within 0.3 of the end of the line do not

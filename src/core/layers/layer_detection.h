@@ -20,8 +20,8 @@ enum class LayerExtent {
 };
 
 /// Finds the columns of the layers that a mesh has at walls, with their nodes and the reasons why
-/// they end, the pairs of columns, and the layer of each element; no heights and directions.
-/// Columns may have no layer. Throws UsageError as find_wall_chains() does.
+/// they end. Also finds the pairs of columns and the layer of each element, but no heights or
+/// directions. Columns may have no layer. Throws UsageError as find_wall_chains() does.
 LayerStack climb_layers(const Mesh& mesh, const LayerOptions& options, LayerExtent extent);
 
 /// Finds the layers that a mesh has at walls. Wanted heights are the present ones (#layers of each

@@ -159,9 +159,9 @@ void check_corners(const MeshData& data, Index e) {
   }
 }
 
-/// Throws MeshError if there is no element. Throws MeshError naming an element of another dimension
-/// than the first one or of more dimensions than the space, with another number of corners than its
-/// type has, with a corner that is no node, or with a repeated corner.
+/// Throws MeshError if there is no element. Throws MeshError naming an element with another
+/// dimension than the first one or a higher one than the space; with another number of corners than
+/// its type has; with a corner that is no node; or with a repeated corner.
 void check_elements(const MeshData& data) {
   if (data.element_count() == 0) throw MeshError(MeshEntity::mesh, 0, "the mesh has no elements");
   if (data.cell_dimension() > data.coordinates.dimension()) {

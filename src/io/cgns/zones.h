@@ -74,8 +74,8 @@ class ElementNumbers {
 
   struct Range {
     std::int64_t first, last;
-    std::vector<ElementPlace> places;  ///< of each number; if only one: of the first, with
-                                       ///< consecutive ones after it
+    std::vector<ElementPlace> places;  ///< of each number; one alone: of the first, then
+                                       ///< consecutive
   };
   /// Ranges must be added in ascending order. Consecutive places are stored as one.
   void add(Range range);

@@ -38,8 +38,9 @@ void set_space_nodes(const Source& source, const std::vector<double>& xyz, Parse
 /// set_planar_nodes(). The mesh must have its elements already.
 void set_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh);
 
-/// Reverses all elements of a mesh outside z = constant if they are clockwise in its plane, as seen
-/// from behind. Records this in the details, so that writing reverses them again.
+/// Reverses all elements of a mesh in a plane other than z = constant if they are clockwise there,
+/// since the file then shows the plane from behind. The details record this, so that writing
+/// reverses them again.
 void turn_to_viewer(ParsedMesh& mesh);
 
 /// Throws InputError "... not finite" at the first node with a NaN or an infinity.

@@ -18,8 +18,7 @@ constexpr int deepest = 100;
 /// Line of the character that was read last.
 struct LineCount {
   int line = 1;
-  bool ended = false;  ///< that character was a newline: the end of a number is detected only after
-                       ///< it
+  bool ended = false;  ///< a newline; counted later, since the parser reads it to end a number
 };
 
 /// Reads characters and counts lines. All copies of one iterator share the count.

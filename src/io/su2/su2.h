@@ -73,8 +73,8 @@ std::size_t face_corners(std::int64_t number, int dimension);
 
 /// "5 (triangle) or 9 (quadrilateral)": SU2's element types of a dimension (at least 1).
 std::string element_list(int dimension);
-/// Why a mesh of those dimensions cannot have an element type (in its markers, if of_marker): "
-/// (second order)" and the like; may be empty.
+/// Why a mesh of those dimensions, or its markers if of_marker, cannot have an element type. An
+/// example is " (second order)"; may be empty.
 std::string type_hint(std::int64_t number, const Dimensions& of, bool of_marker);
 
 }  // namespace winslow::io::su2

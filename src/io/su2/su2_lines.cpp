@@ -46,8 +46,7 @@ std::vector<Line> lines_with(const Source& source, std::size_t begin, std::size_
   for (auto start = text.find(key, begin); start != std::string_view::npos && found.size() < most;
        start = text.find(key, start + 1)) {
     const Line line = LineReader(source, line_begin(text, start), end).next();
-    const bool seen = !found.empty() && found.back().offset == line.offset;  // repeated in a
-                                                                             // comment of the line
+    const bool seen = !found.empty() && found.back().offset == line.offset;  // again in a comment
     if (line.key == key && !seen) found.push_back(line);
   }
   return found;

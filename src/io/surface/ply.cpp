@@ -28,8 +28,7 @@ std::optional<BinaryNumber> number_type(std::string_view name) {
 struct Property {
   std::string name;
   BinaryNumber type;
-  std::optional<BinaryNumber> list_size;  ///< set: the property is a list, preceded by a size of
-                                          ///< this type
+  std::optional<BinaryNumber> list_size;  ///< set: a list with a size of this type before it
 };
 
 struct Element {

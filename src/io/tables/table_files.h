@@ -16,8 +16,8 @@ struct BoundaryLine {
   std::vector<Index> nodes;  ///< a closed line repeats its first node at the end
   bool closed = false;
 };
-/// Joins the edges of a marker to as few lines as possible; every edge is in exactly one. Edges
-/// against the direction of their neighbours are reversed.
+/// Joins the edges of a marker to lines, which end where the marker ends or three edges meet; every
+/// edge is in exactly one. Edges against the direction of their neighbours are reversed.
 std::vector<BoundaryLine> boundary_lines(const Marker& marker);
 
 /// File name extensions that write_boundary accepts: ".csv", ".dat", ".vtk".
@@ -56,8 +56,8 @@ struct ConvergenceTable {
 };
 
 /// Writes one line for every outer iteration: iteration, residual, largest_move, inverted,
-/// min_sine, damping, clipped, linear_iterations, fraction, command, stage. Numbers read back bit
-/// by bit. Writes atomically. Throws OutputError.
+/// min_sine, damping, clipped, linear_iterations, fraction, command, stage. Numbers are read back
+/// exactly. Writes atomically. Throws OutputError.
 void write_convergence_csv(const std::filesystem::path& path,
                            const std::vector<ConvergenceTable>& tables);
 

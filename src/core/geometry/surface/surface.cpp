@@ -38,9 +38,9 @@ struct PointJet {
   }
 };
 
-/// The terms of the patch that belong to vertex k. With l, m and n the barycentric coordinates of k
-/// and of the two vertices after it, the weights are l^4 for the vertex, 4 l^3 m, 6 l^2 m^2 and 4 l
-/// m^3 for the inner points of the edge from k to the next vertex, and 12 l^2 m n / (m + n) times m
+/// The terms of the patch that belong to vertex k. l, m and n are the barycentric coordinates of k
+/// and of the two vertices after it. The weights are l^4 for the vertex; 4 l^3 m, 6 l^2 m^2 and 4 l
+/// m^3 for the inner points of the edge from k to the next vertex; and 12 l^2 m n / (m + n) times m
 /// and n for the two inner points at k. The last two are zero, with their first derivatives, where
 /// m + n = 0.
 PointJet part_of_vertex(const std::array<Vec3, 18>& points, std::size_t k, double l, double m,

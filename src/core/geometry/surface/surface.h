@@ -38,7 +38,7 @@ std::array<Vec3, 2> edge_between(const Vec3& a, const Vec3& b, const Vec3& norma
 
 /// A curved triangle of degree four with given vertices and normals. Triangles with a common edge
 /// and the same normals at its ends have the same cubic and the same tangent planes along it (the
-/// same paper), so that their surface is smooth.
+/// same paper). So their surface is smooth.
 class SurfacePatch {
  public:
   /// The flat triangle.
