@@ -11,10 +11,11 @@ namespace winslow {
 ///
 /// The edges of the VCVs of nodes in layers have lengths in units of the mesh: along columns the
 /// wanted height of the layer times its correction, across columns the distance between straight
-/// columns. Corners of quadrilaterals have right angles. The angles are those of straight columns
-/// in triangles, and where these differ from a right angle by more than 10 degrees (where the wall
-/// turns, in fans). Columns that were found in the mesh keep the angles and the lengths of their
-/// course. At the rim the elements outside share the rest of the circle.
+/// columns. Corners of quadrilaterals have right angles. Two kinds of corners have the angles of
+/// straight columns: those of triangles, and those where that angle differs from a right angle by
+/// more than 10 degrees (where the wall turns, in fans). Columns that were found in the mesh keep
+/// the angles and the lengths of their course. At the rim the elements outside share the rest of
+/// the circle.
 ///
 /// base: of this topology, or of the one before the layers were inserted; nodes outside the layers
 /// keep its VCVs. x (#nodes by 2): determines the walls.

@@ -437,8 +437,8 @@ class Fitting {
     changed_ = true;
   }
 
-  /// Limits columns to the share of a gap that the rules of insertion give, or to the present share
-  /// if this is larger, as after an insertion by other rules.
+  /// Limits columns to the share of a gap that the rules of insertion give, or to their share
+  /// before the motion if this is larger, as after an insertion by other rules.
   void keep_clear() {
     const double share = LayerOptions{}.clearance;
     double tallest = 0;
@@ -502,7 +502,7 @@ class Fitting {
   const Topology& topology_;
   const Coordinates& x_;
   const Coordinates& moved_;
-  std::vector<ColumnStand> before_;     // directions of the columns in x
+  std::vector<ColumnStand> before_;     // directions and slants in x
   std::vector<double> granted_, room_;  // thickness of each column
   std::vector<LayerLimit> limits_;
   bool changed_ = false;

@@ -33,7 +33,7 @@ class SectionIndex {
  public:
   /// Throws UsageError unless it is a volume mesh.
   explicit SectionIndex(const Mesh& mesh);
-  /// Updates an index for other positions of the same nodes, in the same order.
+  /// An index for other positions of the same nodes, in the order of `before`.
   SectionIndex(const Mesh& mesh, const SectionIndex& before);
 
   const CurveOrder& order() const { return *order_; }
