@@ -19,20 +19,22 @@ struct MeshColors {
 };
 MeshColors mesh_colors(const ViewOptions& view);
 
-/// Of a marker: what the user has chosen, or else by its number. dark: what it is seen on.
+/// Colour of a marker: the user's choice, else a default by the marker's number. dark: the
+/// background is dark.
 Rgb color_of_marker(const ViewOptions& view, const std::string& name, Index marker, bool dark);
-/// Of the colours of elements.
+/// The view's settings for the colours of elements.
 ColorChoice color_choice(const ViewOptions& view);
 
-/// Which elements stay when some are isolated by their values of a metric.
+/// Isolation of elements by their values of a metric.
 
 inline bool isolated(double value, const Isolation& isolation) {
   return isolation.above ? value > isolation.threshold : value < isolation.threshold;
 }
 long long isolated_count(std::span<const double> values, const Isolation& isolation);
-/// Per element: 1 if it stays, else the opacity of the others; empty if nothing is isolated.
+/// Opacity per element: 1 if it is isolated, else that of the other elements; empty if nothing is
+/// isolated.
 std::vector<float> element_opacity(std::span<const double> values, const Isolation& isolation);
-/// Off, with the threshold and the side that single out bad elements by a field.
+/// Isolation that is off, preset to the threshold and side that single out bad elements by a field.
 Isolation isolation_for(const ElementField& field);
 
 }  // namespace winslow::gui

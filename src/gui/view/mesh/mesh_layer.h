@@ -11,41 +11,42 @@
 
 namespace winslow::gui {
 
-/// Elements of a volume mesh that are shown without the others.
+/// Number and size of the elements of a mesh in space that are shown without the others.
 struct ShownAlone {
   Index count = 0;
   double size = 0;  ///< volume, in cubed units of the mesh; of a surface its area
 };
 
-/// The mesh whose picture is on screen, which may be one behind the mesh of the session.
+/// The mesh on screen. The mesh of the session may already be newer.
 struct ShownMesh {
   std::uint64_t shape = 0;  ///< LiveMesh::shape()
   Validity validity;
   std::optional<ShownAlone> alone = {};  ///< of a mesh in space; none: all are shown
 };
 
-/// One mesh on screen with its colours. What takes long for a large mesh is done in the background:
-/// until it is done, the picture is the last one.
+/// One mesh on screen with its colours. A large mesh is prepared in the background; until it is
+/// ready, the previous picture stays.
 class MeshLayer {
  public:
-  /// In every frame. shape: grows whenever the coordinates are others; generation: with the mesh.
+  /// Call in every frame. shape: grows with every change of the coordinates; generation: with every
+  /// other mesh.
   void update(const std::shared_ptr<const Topology>& topology, const Coordinates& coordinates,
               std::uint64_t generation, std::uint64_t shape);
-  /// Values to colour by: those of view.color, or null for plain elements.
+  /// Sets the values to colour by: those of view.color; null: plain elements.
   void color(const std::shared_ptr<const QualityMonitor::Measured>& measured,
              const ViewOptions& view);
-  /// Takes what the background has done. True if the picture changes.
+  /// Adopts finished work of the background. True if the picture changes.
   bool poll();
-  /// The picture is not that of the last update() and color() yet.
+  /// The picture is still older than the last update() and color().
   bool busy() const { return builder_.busy() || painter_.busy(); }
 
   MeshRenderer& renderer() { return renderer_; }
   bool has_mesh() const { return shown_.has_value(); }
   /// None before the first picture of a generation.
   const std::optional<ShownMesh>& shown() const { return shown_; }
-  /// The mesh is drawn faster than a picture of it could be kept.
+  /// The mesh is so small that drawing it is faster than keeping a picture of it.
   bool small() const { return small_; }
-  /// Of the colours shown; none if elements are plain.
+  /// Legend of the colours shown; none if elements are plain.
   const std::optional<Legend>& legend() const { return legend_; }
 
  private:
@@ -78,10 +79,10 @@ class MeshLayer {
   void adopt(Colors colors);
 
   MeshRenderer renderer_;
-  std::optional<ShownMesh> shown_;  // what the renderer has, of the present generation
+  std::optional<ShownMesh> shown_;  // mesh of the renderer, if of the present generation
   bool small_ = true;
   std::uint64_t generation_ = 0, shape_ = 0;
-  std::optional<ColorKey> painted_;  // that the colours are, or will be, of
+  std::optional<ColorKey> painted_;  // key of the colours shown or being computed
   std::optional<Legend> legend_;
   Background<std::shared_ptr<Built>> builder_;
   Background<std::shared_ptr<Colors>> painter_;
@@ -90,7 +91,7 @@ class MeshLayer {
 /// The state with which the present mesh is compared: its nodes and its quality.
 class BeforeMesh {
  public:
-  /// In every frame. metric: its values are wanted, too, for colours.
+  /// Call in every frame. view: in a coloured comparison side by side, its field is measured, too.
   void update(const LiveMesh& mesh, const ViewOptions& view);
   /// True if a measurement has come in.
   bool poll() { return monitor_.poll(); }
@@ -98,9 +99,9 @@ class BeforeMesh {
 
   /// Null without a mesh.
   const Coordinates* coordinates() const { return coordinates_; }
-  /// That coordinates() are of: not the present one if a command in between changed it.
+  /// Topology of coordinates(): not the present one if a command in between changed it.
   const std::shared_ptr<const Topology>& topology() const { return topology_; }
-  /// Grows whenever coordinates() are others.
+  /// Grows with every change of coordinates().
   std::uint64_t shape() const { return shape_; }
   /// Null until it is measured.
   const QualityReport* report() const;

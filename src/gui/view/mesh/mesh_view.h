@@ -11,44 +11,45 @@
 
 namespace winslow::gui {
 
-/// Keeps the picture in step with the session: the mesh, its colours and markers, the state before
-/// where they are compared. Uploads only what changed. Of a volume mesh `volume()` draws; what is
-/// said of the picture is the same for both.
+/// Keeps the picture in step with the session: the mesh, its colours and markers, and the state
+/// before where the two are compared. Uploads only what changed. volume() draws meshes in space;
+/// the functions about the picture serve both kinds of mesh.
 class MeshView {
  public:
   void update(const Session& session, const BeforeMesh& before, const ViewOptions& view,
               float scale);
-  /// Draws what lies behind and the mesh into the bound framebuffer, `height` pixels high. whole:
-  /// the view that the camera sees a part of; null: nothing lies behind.
+  /// Draws backdrop and mesh into the bound framebuffer, `height` pixels high. whole: the view of
+  /// which the camera sees a part, over which the backdrop extends; null: no backdrop.
   void draw(const Camera& camera, const Camera* whole, int height);
-  /// The same with the backdrop, for frame after frame of a window: of a large mesh the picture is
-  /// kept and drawn anew only when it would be another. A frame of the interface alone, a progress
-  /// bar or a menu under the mouse, then costs what it does without a mesh.
+  /// The same with the backdrop, for the frames of a window. The picture of a large mesh is kept
+  /// and redrawn only when it changes. A frame in which only the interface changes, such as a
+  /// progress bar or a menu under the mouse, then costs as little as one without a mesh.
   void draw_kept(const Camera& camera, int width, int height);
-  /// Draws anew next time.
+  /// Discards the kept picture, so that the next draw_kept() redraws it.
   void forget_picture() {
     kept_.forget();
     volume_.forget_picture();
   }
   VolumeView& volume() { return volume_; }
   const VolumeView& volume() const { return volume_; }
-  /// The mesh on screen is drawn, though perhaps without its colours yet.
+  /// A mesh is on screen, perhaps still without its colours.
   bool has_mesh() const { return shown() != nullptr; }
-  /// It has its colours, too.
+  /// The mesh on screen has its colours, too.
   bool has_colors() const { return has_mesh() && legend().has_value(); }
-  /// Where the mesh before ends and the mesh now begins, if they are side by side: x of the mesh.
+  /// Sets the x coordinate, in mesh units, that separates the mesh before from the mesh now, side
+  /// by side.
   void set_divider(double x) { divider_ = x; }
-  /// The present mesh alone, with the camera of a magnifier.
+  /// Draws the present mesh alone with the camera of a magnifier.
   void draw_magnified(const Camera& camera, const Camera& whole, int height);
   /// The mesh now on screen, if any.
   const ShownMesh* shown() const {
     if (in_space_) return volume_.shown();
     return has_mesh_ && now_.shown() ? &*now_.shown() : nullptr;
   }
-  /// Takes what the background has prepared. True if the picture changes.
+  /// Adopts what the background has prepared. True if the picture changes.
   bool poll();
   bool busy() const { return in_space_ ? volume_.busy() : now_.busy() || before_.busy(); }
-  /// Of the colours now shown; none if elements are plain.
+  /// Legend of the colours now shown; none if elements are plain.
   const std::optional<Legend>& legend() const {
     return in_space_ ? volume_.legend() : now_.legend();
   }

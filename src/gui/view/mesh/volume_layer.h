@@ -19,7 +19,7 @@ inline CutPlane cut_through(const Vec3& point, const Vec3& normal) {
   return {{point.x(), point.y(), point.z()}, {normal.x(), normal.y(), normal.z()}};
 }
 
-/// What is wanted of a picture of a mesh in space: all that its scene depends on.
+/// Request for a picture of a mesh in space: everything on which its scene depends.
 struct VolumeWish {
   std::uint64_t generation = 0, shape = 0;
   std::shared_ptr<const Mesh> mesh;
@@ -28,26 +28,26 @@ struct VolumeWish {
   std::shared_ptr<const QualityMonitor::Measured> measured;
   ColorChoice colors;
   Isolation isolation;
-  std::vector<CutPlane> cuts;  ///< that are on
-  Peel peel;                   ///< that is on, of a marker that there is
+  std::vector<CutPlane> cuts;  ///< those that are switched on
+  Peel peel;                   ///< if it is switched on and its marker exists
   bool crinkle = false;
   bool mark_inverted = true;
-  std::vector<Index> worst;  ///< elements that are to be seen through what hides them
+  std::vector<Index> worst;  ///< elements shown through what hides them
   bool surfaces = true, edges = true;
   std::vector<MarkerShow> markers;
   std::vector<float> opacity;
   std::vector<Rgb> marker_colors;
   std::vector<Rgb> border_colors;               ///< of the markers of a surface mesh
   double feature_angle = 40;                    ///< degrees; see VolumeLook
-  std::shared_ptr<const SurfaceShape> surface;  ///< of a surface mesh: which side is right
+  std::shared_ptr<const SurfaceShape> surface;  ///< of a surface mesh: its correct side
   VolumeStyle style;
   bool ghost = false;  ///< the bodies alone, as lines
 
   bool operator==(const VolumeWish&) const = default;
 };
 
-/// A picture of a volume mesh, ready to be drawn. Its parts are those of the picture before where
-/// nothing has changed for them.
+/// A picture of a mesh in space, ready to be drawn. Unchanged parts are shared with the previous
+/// picture.
 struct VolumeScenes {
   VolumeWish of;
   ShownMesh shown;
@@ -55,23 +55,23 @@ struct VolumeScenes {
   std::vector<Plane> planes;
   std::optional<Legend> legend;
   struct Memory;
-  std::shared_ptr<const Memory> memory;  ///< of what was made, for the next picture
+  std::shared_ptr<const Memory> memory;  ///< intermediate results, for reuse in the next picture
 };
 
-/// Makes the scenes of a volume mesh, of a large one in the background: until they are made, the
-/// picture is the last one.
+/// Builds the scenes of a mesh in space, those of a large one in the background. Until they are
+/// ready, the previous picture stays.
 class VolumeLayer {
  public:
   void want(VolumeWish wish);
-  /// Takes what the background has made. True if the picture changes.
+  /// Adopts what the background has made. True if the picture changes.
   bool poll();
-  /// The picture is not what was last wanted yet.
+  /// The picture does not yet fulfil the last wish.
   bool busy() const { return worker_.busy() || waiting_.has_value(); }
   void clear();
 
   /// Null before the first picture of a mesh.
   const VolumeScenes* scenes() const { return scenes_.get(); }
-  /// Grows with every other picture.
+  /// Grows with every new picture.
   std::uint64_t revision() const { return revision_; }
 
  private:

@@ -18,18 +18,17 @@ class VolumeView {
   void update(const Session& session, const BeforeMesh& before, const ViewOptions& view,
               float scale);
   void clear();
-  /// Elements that are to be seen through what hides them, from the next update() on.
+  /// Sets the elements to show through what hides them, from the next update() on.
   void set_worst(std::vector<Index> worst) { worst_ = std::move(worst); }
-  /// Draws into the bound framebuffer, `height` pixels high, the mesh before beside it where both
-  /// are compared: camera is that of the mesh now, side_by_side() says where each is. whole: the
-  /// part of the framebuffer over which the colours of the backdrop run; null: nothing lies behind.
+  /// Draws into the bound framebuffer, `height` pixels high; in a comparison side by side the mesh
+  /// before, too. camera: of the mesh now; side_by_side() gives the place of each. whole: the part
+  /// of the framebuffer over which the backdrop extends; null: no backdrop.
   void draw(const SpaceCamera& camera, const ScreenBox* whole, int height);
-  /// The mesh now alone, with nothing behind it.
+  /// Draws the mesh now alone, without the backdrop.
   void draw_alone(const SpaceCamera& camera, int height) {
     if (layer_.scenes()) draw_now(camera, height);
   }
-  /// The same with the backdrop, of a picture that is kept and drawn anew only when it would be
-  /// another.
+  /// Draws mesh and backdrop from a kept picture, which is redrawn only when it changes.
   void draw_kept(const SpaceCamera& camera, int width, int height);
   void forget_picture() { kept_.forget(); }
 
@@ -39,13 +38,13 @@ class VolumeView {
   const std::optional<Legend>& legend() const;
   /// The mesh in the picture; null before the first one.
   const Mesh* mesh() const { return layer_.scenes() ? layer_.scenes()->of.mesh.get() : nullptr; }
-  /// What is drawn at a place.
+  /// The visible point of the mesh at a place of the screen; none: nothing is drawn there.
   std::optional<SpaceHit> pick(const View& view, const ScreenPoint& at) const;
-  /// Grows with every other picture.
+  /// Grows with every new picture.
   std::uint64_t revision() const { return layer_.revision(); }
-  /// Of the mesh before; null if it is not compared.
+  /// Scenes of the mesh before; null if it is not compared.
   const VolumeScenes* before_scenes() const { return before_layer_.scenes(); }
-  /// Parts that the picture has; for tests of what is made anew.
+  /// Scenes of the picture; null before the first one. Tests see here which parts are rebuilt.
   const VolumeScenes* scenes() const { return layer_.scenes(); }
 
  private:
@@ -70,7 +69,7 @@ class VolumeView {
   VolumeLayer layer_;
   SpaceRenderer renderer_;
   std::uint64_t drawn_ = 0;  // revision of the layer that the renderer has
-  // The mesh before: as a ghost over that now, or beside it.
+  // The mesh before: a ghost over the mesh now, or beside it.
   VolumeLayer before_layer_;
   SpaceRenderer before_renderer_;
   std::uint64_t before_drawn_ = 0, ghost_drawn_ = 0;

@@ -8,8 +8,8 @@
 
 namespace winslow::gui {
 
-/// Moves the camera by which a mesh of one kind is looked at: one for meshes of the plane, one for
-/// those of space. All of it needs an open mesh. Knows nothing of OpenGL or of widgets.
+/// Moves the camera that looks at the open mesh: one subclass for plane meshes, one for meshes in
+/// space. All members need an open mesh. Independent of OpenGL and of widgets.
 ///
 ///     control.fit_markers(selection.markers());
 ///     control.go_to(item);
@@ -22,31 +22,31 @@ class CameraControl {
   virtual const View& view() const = 0;
   virtual View& view() = 0;
 
-  /// A mesh has come: looks at all of it, or at its bodies where they would be dots, or as it was
-  /// looked at before. options get what the mesh is first looked at with.
+  /// Sets the first view of a mesh just opened: the view kept from before, else all of the mesh, or
+  /// its bodies where they would be dots. Writes the mesh's first settings to `options`.
   virtual void begin(ViewOptions& options) = 0;
-  /// In every frame: the parts of the options that the camera has.
+  /// Call in every frame: adopts the options that concern the camera.
   virtual void update(const ViewOptions& options) = 0;
 
   virtual void fit_all() = 0;
   virtual void fit_bodies() = 0;
-  /// Nothing where the markers have no nodes.
+  /// Does nothing if the markers have no nodes.
   void fit_markers(std::span<const Index> markers);
   /// Shows what lies around a point. radius: in units of the mesh.
   virtual void look_around(const Vec3& point, double radius) = 0;
   /// Looks at an item and what touches it.
   void go_to(const MeshItem& item);
-  /// A node is on screen.
+  /// True if a node is on screen.
   bool sees(Index node) const;
-  /// Shows what lies in a box of the screen as large as there is room for. depth: a point as deep
-  /// as what is meant.
+  /// Zooms so that the content of a box of the screen is as large as there is room for. depth: a
+  /// point at the depth of that content.
   void zoom_to(const ScreenBox& box, const Vec3& depth);
-  /// Moves what is in the middle of the view up, and away, so that a card at its foot does not
-  /// cover it. A card that does not reach the middle leaves it alone.
+  /// Shrinks the content in the middle of the view and moves it up, so that a card at the view's
+  /// foot does not cover it. Does nothing if the card does not reach the middle.
   void look_above(const ScreenBox& card);
 
  protected:
-  /// room: what is shown around an item that one goes to, in its own sizes.
+  /// room: extent shown around an item by go_to(), in multiples of the item's size.
   CameraControl(const Session& session, double room) : session_(session), room_(room) {}
   /// Shows nodes of the mesh on screen. margin: a share of the viewport on each side.
   virtual void fit(std::span<const Index> nodes, double margin) = 0;
@@ -57,7 +57,7 @@ class CameraControl {
   double room_;
 };
 
-/// That of plane meshes.
+/// Camera control of plane meshes.
 class PlaneControl : public CameraControl {
  public:
   explicit PlaneControl(const Session& session) : CameraControl(session, 4) {}
@@ -68,7 +68,7 @@ class PlaneControl : public CameraControl {
   void begin(ViewOptions& options) override;
   void update(const ViewOptions& /*options*/) override {}
   void fit_all() override;
-  /// Nothing where there are none.
+  /// Does nothing if there are no bodies.
   void fit_bodies() override;
   void look_around(const Vec3& point, double radius) override;
 
@@ -79,7 +79,7 @@ class PlaneControl : public CameraControl {
   Camera view_;
 };
 
-/// That of meshes in space.
+/// Camera control of meshes in space.
 class SpaceControl : public CameraControl {
  public:
   explicit SpaceControl(const Session& session) : CameraControl(session, 2) {}
@@ -87,18 +87,18 @@ class SpaceControl : public CameraControl {
   const SpaceCamera& view() const override { return view_; }
   SpaceCamera& view() override { return view_; }
 
-  /// A volume mesh has come, or goes: what it was looked at by is kept for when it is back. options
-  /// get the cuts that it has, or those to begin with.
+  /// leave() keeps the view of a mesh for when it is opened again. begin() restores a kept view,
+  /// and writes the kept cuts, or else the initial ones, to `options`.
   void leave(const ViewOptions& options);
   void begin(ViewOptions& options) override;
-  /// How meshes were looked at, the last one first: the open one among them.
+  /// Kept views of meshes, the latest first, that of the open mesh included.
   std::vector<KeptView> views(const ViewOptions& options) const;
-  /// As they were kept from the last run.
+  /// Restores the views kept from the last run.
   void set_views(std::vector<KeptView> views) { kept_ = std::move(views); }
   void update(const ViewOptions& options) override;
 
   void fit_all() override;
-  /// All where nothing is enclosed.
+  /// Shows the whole mesh if nothing is enclosed.
   void fit_bodies() override;
   void look_around(const Vec3& point, double radius) override;
   void look_from(const ViewDirection& direction);
@@ -111,8 +111,8 @@ class SpaceControl : public CameraControl {
   KeptView view_now(const ViewOptions& options) const;
 
   SpaceCamera view_;
-  std::vector<KeptView> kept_;                 // the last one first
-  std::optional<std::filesystem::path> open_;  // that is looked at now
+  std::vector<KeptView> kept_;                 // the latest first
+  std::optional<std::filesystem::path> open_;  // file of the mesh being looked at
 };
 
 }  // namespace winslow::gui

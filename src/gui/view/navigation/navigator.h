@@ -7,20 +7,20 @@
 
 namespace winslow::gui {
 
-/// The places that the user has looked at, to go back to and forward from. A view counts once it
-/// has rested; what one passes through while panning and zooming does not.
+/// History of views, to go back and forward in. A view is recorded once it has rested; views passed
+/// while panning and zooming are not.
 class ViewHistory {
  public:
-  /// Another mesh: forgets everything.
+  /// Forgets everything; call it for another mesh.
   void clear();
-  /// In every frame. busy: the mouse is changing the view. seconds: since the last frame.
+  /// Call in every frame. busy: the mouse is changing the view. seconds: since the last frame.
   void observe(const LookedAt& now, bool busy, double seconds);
-  /// The view is about to jump elsewhere: where it is now counts.
+  /// Records the present view; call it before the view jumps elsewhere.
   void leave(const LookedAt& now);
 
   bool can_go_back(const LookedAt& now) const;
   bool can_go_forward() const { return position_ + 1 < views_.size(); }
-  /// Where that leads; none: nowhere.
+  /// The previous and the next view; none: there is none.
   std::optional<LookedAt> back(const LookedAt& now);
   std::optional<LookedAt> forward();
 
@@ -31,14 +31,14 @@ class ViewHistory {
   double rested_ = 0;  // seconds
 };
 
-/// Where the user looks, and where that was before. Knows nothing of OpenGL or of widgets.
+/// The present view and the history of views. Independent of OpenGL and of widgets.
 class Navigator {
  public:
   /// options: what is drawn of the mesh, which outlives this object.
   Navigator(const Session& session, ViewOptions& options)
       : session_(session), options_(options), plane_(session), space_(session) {}
 
-  /// Of the open mesh.
+  /// The control of the open mesh's camera.
   const CameraControl& camera_control() const {
     if (session_.in_space()) return space_;
     return plane_;
@@ -47,7 +47,7 @@ class Navigator {
     if (session_.in_space()) return space_;
     return plane_;
   }
-  /// Of plane meshes, and of meshes in space.
+  /// The controls of plane meshes and of meshes in space.
   const PlaneControl& plane() const { return plane_; }
   PlaneControl& plane() { return plane_; }
   const SpaceControl& space() const { return space_; }
@@ -71,16 +71,18 @@ class Navigator {
 
   /// Looks at an item of the open mesh and what touches it.
   void go_to(const MeshItem& item);
-  /// Of a mesh in space: looks as it is said. The cuts of the look are the options' affair.
+  /// Sets the view of a mesh in space to that of a look. Its cuts are part of the options and are
+  /// not set here.
   void show(const SpaceLook& look);
-  /// A card at the foot of the viewport: what one goes to is shown above it.
+  /// Sets the card at the foot of the viewport; targets of go_to() are shown above it.
   void set_card(const std::optional<ScreenBox>& card) { card_ = card; }
   const std::optional<ScreenBox>& card() const { return card_; }
 
   // In every frame.
-  /// area: of the framebuffer, in which the mesh is drawn, pixels.
+  /// area: part of the framebuffer in which the mesh is drawn, pixels.
   void set_viewport(const ScreenBox& area);
-  /// Another mesh is open, or none: what was seen of the one before is kept for when it is back.
+  /// Keeps the view of the previous mesh for when it is opened again; call it when another mesh, or
+  /// none, is open.
   void leave_mesh();
   /// Looks at the mesh that is open, if any.
   void begin_mesh();
@@ -97,7 +99,7 @@ class Navigator {
   void look_there(const std::optional<LookedAt>& place) {
     if (place) camera_control().view().look_at(*place);
   }
-  /// Before the view jumps elsewhere.
+  /// Call before the view jumps elsewhere.
   void leave() { history_.leave(looked_at()); }
   template <class... Parameters, class... Arguments>
   void jump(void (CameraControl::*how)(Parameters...), const Arguments&... arguments) {
@@ -105,7 +107,7 @@ class Navigator {
     leave();
     (camera_control().*how)(arguments...);
   }
-  /// After it: what is looked at is not under the card.
+  /// Call after a jump: moves its target out from under the card.
   void stay_above_card() {
     if (card_ && session_.document()) camera_control().look_above(*card_);
   }

@@ -9,25 +9,25 @@
 
 namespace winslow::gui {
 
-/// What is drawn, and how large: has the view's options and carries out the actions on them. Knows
-/// nothing of OpenGL or of widgets.
+/// Holds the options and the scale of the view, and carries out the actions on them. Independent of
+/// OpenGL and of widgets.
 class ViewControl {
  public:
-  /// screen_scale: pixels per unit of the layout that the screen wants.
+  /// screen_scale: pixels per unit of the layout that the screen asks for.
   ViewControl(Session& session, float screen_scale)
       : session_(session), navigator_(session, options_), scale_(screen_scale) {}
 
   const ViewOptions& options() const { return options_; }
-  /// As they were kept from the last run.
+  /// Restores the options kept from the last run.
   void set_options(const ViewOptions& options) { options_ = options; }
   const ViewState& state() const { return state_; }
   InterfaceScale& scale() { return scale_; }
   const InterfaceScale& scale() const { return scale_; }
 
-  /// Where the user looks.
+  /// The present view and the history of views.
   const Navigator& navigator() const { return navigator_; }
   Navigator& navigator() { return navigator_; }
-  // What is asked for most, of navigator().
+  // Shortcuts to members of navigator().
   const View& view() const { return navigator_.camera_control().view(); }
   /// For the mouse, which turns, pans and zooms.
   View& view() { return navigator_.camera_control().view(); }
@@ -50,19 +50,19 @@ class ViewControl {
   void on(const action::ShowLook& a);
   void on(const action::HoldCut& a) { state_.cut = a.cut; }
 
-  /// In every frame, when it is known where in the framebuffer the mesh is drawn, pixels. True if
-  /// another mesh is open than in the frame before.
+  /// Call in every frame, once it is known where in the framebuffer the mesh is drawn, pixels. True
+  /// if another mesh is open than in the previous frame.
   bool begin_frame(double x, double y, double width, double height);
-  /// Looks at the mesh that is open if it is another than before. True if it is.
+  /// Begins to look at the open mesh if it is not the previous one. True if so.
   bool look_at_another();
-  /// What was asked of this frame alone is done.
+  /// Clears the requests that hold for one frame only.
   void end_requests() { state_.go_to_wanted = false; }
 
-  /// Where the mouse is over the mesh; none: it is elsewhere. seen: what is there, of a volume
-  /// mesh.
+  /// Sets the place of the mouse over the mesh; none: it is elsewhere. seen: the visible place of a
+  /// volume mesh there.
   void set_mouse(const std::optional<ScreenPoint>& mouse,
                  const std::optional<SeenPlace>& seen = {});
-  /// As the window has room for the columns beside the mesh.
+  /// Sets the state of the columns beside the mesh, which depends on the window's size.
   void set_columns(const ColumnState& columns) { state_.columns = columns; }
   void put_ruler_away() { state_.ruler = false; }
   /// Moves the divider between two meshes; by: a share of the viewport's width.

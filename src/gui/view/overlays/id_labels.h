@@ -14,12 +14,12 @@ struct IdLabel {
   bool node = false;
 };
 
-/// Ids of nodes and elements on the mesh, where there is room for the number. Of a plane mesh those
-/// in view that are large enough to hold theirs; in space those that are seen, on the surfaces,
-/// cuts and single elements of the picture.
+/// Draws ids of nodes and elements on the mesh, where the number has room. Plane mesh: those in
+/// view that are large enough for their number. In space: the visible ones on surfaces, cuts and
+/// single elements of the picture.
 class IdLabels {
  public:
-  /// picture: of a mesh in space. room: of the viewport, for what is said where no number has room.
+  /// picture: of a mesh in space. room: of the viewport, for a message where no number has room.
   void draw(ImDrawList& list, const ViewOverlay& overlay, const VolumeView& picture,
             const ScreenBox& room);
 

@@ -7,22 +7,22 @@
 
 namespace winslow::gui {
 
-/// What is drawn over the mesh for the mouse's sake.
+/// Data for the feedback to the mouse that is drawn over the mesh.
 struct Overlay : ViewOverlay {
   const Viewport& viewport;
   const ViewportScene& scene;
 };
 
-/// Rings around nodes, the region outside which nothing moves, what is about to be moved or picked,
-/// and what is held of the boundary.
+/// Draws rings around nodes, the region outside which nothing moves, what is about to be moved or
+/// picked, and the held part of the boundary.
 void draw_overlay(ImDrawList& list, const Overlay& overlay);
-/// The handle of the selection, that of a cut, and the point about which the view turns.
+/// Draws the handles of the selection and of a cut, and the point about which the view turns.
 void draw_handles(ImDrawList& list, const Overlay& overlay);
-/// Beside the mouse: the numbers of a drag, or what a handle or a click does.
+/// Draws beside the mouse the numbers of a drag, or what a handle or a click does.
 void draw_mouse_labels(ImDrawList& list, const Overlay& overlay);
 
-/// Columns and outlines of the layers that are planned; those cut short in another colour, with the
-/// reason beside the mouse.
+/// Draws columns and outlines of the planned layers. Columns cut short have another colour, and the
+/// reason stands beside the mouse.
 void draw_layer_preview(ImDrawList& list, const Overlay& overlay);
 
 }  // namespace winslow::gui

@@ -8,11 +8,10 @@
 
 namespace winslow::gui {
 
-/// What nodes do while the mesh is smoothed, as dots in colours, with a key: of a plane mesh all
-/// nodes in view, as far as there is room, of a volume mesh those of the boundary that are seen.
-/// Nodes that were told what to do have a ring, held ones are squares. Edges at which sliding
-/// markers turn are lines. While the feature angle is edited it is shown
-/// whatever the view's options are.
+/// Draws the roles of nodes in smoothing as coloured dots, with a key. Plane mesh: all nodes in
+/// view, as far as there is room. Volume mesh: the visible nodes of the boundary. Nodes whose role
+/// the user has set have a ring, held ones are squares. Edges at which sliding markers turn are
+/// lines. While the feature angle is edited, the roles are shown whatever the view's options are.
 class RoleOverlay {
  public:
   /// picture: of a mesh in space. room: of the viewport, for the key.
@@ -41,9 +40,9 @@ class RoleOverlay {
   std::vector<Dot> dots_;
 };
 
-/// Of dots and in the key.
+/// Colour of a role, for dots and key.
 ImU32 color_of(NodeRole role);
-/// "On a curve".
+/// Name of a role, such as "On a curve".
 const char* name_of(NodeRole role);
 
 }  // namespace winslow::gui

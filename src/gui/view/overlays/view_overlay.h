@@ -24,10 +24,10 @@ struct Inset {
 std::optional<Inset> magnifier_inset(const Magnifier& magnifier, const Camera& camera,
                                      const ScreenPoint& mouse, bool mouse_over, double scale);
 
-/// The factor after so many notches of the wheel.
+/// The magnification after so many notches of the wheel.
 double turned_factor(double factor, double notches);
 
-/// What is drawn over the mesh to help looking at it.
+/// Data for what is drawn over the mesh as an aid to viewing.
 struct ViewOverlay {
   const Session& session;
   const ViewOptions& options;
@@ -36,30 +36,30 @@ struct ViewOverlay {
   const Theme& theme;
 };
 
-/// The node, element or face that was gone to, above all that hides it.
+/// Draws the node, element or face in focus, above everything that hides it.
 void draw_focus(ImDrawList& list, const ViewOverlay& overlay);
-/// Pinned control volumes of a plane mesh.
+/// Draws the pinned control volumes of a plane mesh.
 void draw_pins(ImDrawList& list, const ViewOverlay& overlay);
-/// Nodes of the boundary and arrows along it, as far as there is room for them.
+/// Draws nodes of the boundary and arrows along it, as far as there is room for them.
 void draw_rim(ImDrawList& list, const ViewOverlay& overlay);
-/// What is compared with what: the divider and the names of both sides, or of the ghost. whole: the
-/// view, of which the mesh now may have a part.
+/// Labels a comparison: the divider and the names of both sides, or of the ghost. whole: the whole
+/// view, of which the mesh now may have only a part.
 void draw_comparison(ImDrawList& list, const ViewOptions& options, const Theme& theme,
                      const ScreenBox& whole);
-/// What that leaves of a room for what stands in the corner top left.
+/// The part of a room that the labels of a comparison leave free in the top left corner.
 ScreenBox room_below_comparison(ScreenBox room, const ViewOptions& options, const Theme& theme);
-/// The box that the mouse draws to zoom to (pixels).
+/// Draws the box to zoom to (pixels).
 void draw_zoom_box(ImDrawList& list, const Theme& theme, const ScreenBox& box);
-/// Where a pinned magnifier looks: below its picture, should they overlap.
+/// Marks the place that a pinned magnifier shows. Drawn below the inset, in case the two overlap.
 void draw_inset_source(ImDrawList& list, const Theme& theme, const Inset& inset);
-/// Frame of a magnifier.
+/// Draws the frame of a magnifier.
 void draw_inset_frame(ImDrawList& list, const ViewOverlay& overlay, const Inset& inset);
 
-/// Text on a small card; returns its size.
+/// Draws text on a small card; returns the card's size.
 ImVec2 draw_tag(ImDrawList& list, const Theme& theme, const ImVec2& at, const char* text);
 
-/// The magnifier of a frame, of the window or of a picture. Its mesh is painted in the midst of the
-/// interface: over what was drawn before it, under what comes after.
+/// The magnifier of a frame of the window or of a picture. Its mesh is painted in the order of the
+/// draw list: above what was drawn before, below what comes after.
 class Lens {
  public:
   explicit Lens(MeshView& mesh) : mesh_(mesh) {}
@@ -69,7 +69,7 @@ class Lens {
   void place(std::optional<Inset> inset) { inset_ = std::move(inset); }
   /// None if nothing is magnified.
   const std::optional<Inset>& inset() const { return inset_; }
-  /// The part of the frame that is painted next.
+  /// Sets the part of the frame that is painted next.
   void set_tile(const ScreenBox& tile) { tile_ = tile; }
   /// The lens must stay until the list is painted.
   void draw(ImDrawList& list, const ViewOverlay& overlay);
@@ -82,8 +82,9 @@ class Lens {
   ScreenBox tile_;
 };
 
-/// Outline of the region outside which nothing moves (SmoothOptions::keep_outside), dashed, in the
-/// plane or in space. A circle without a centre is drawn about the selection, if there is one.
+/// Draws the outline of the region outside which nothing moves (SmoothOptions::keep_outside),
+/// dashed, in the plane or in space. A circle without a centre is drawn about the selection, if
+/// there is one.
 void draw_region(ImDrawList& list, const Session& session, const View& view, const Theme& theme);
 
 }  // namespace winslow::gui

@@ -13,7 +13,8 @@ enum class CutPart {
   knob    ///< turns it about its point
 };
 
-/// The handle of a cut: an arrow along its normal, from a point of the plane to what is taken away.
+/// The handle of a cut: an arrow along its normal, from a point of the plane into the part that is
+/// cut away.
 struct CutHandle {
   Vec3 anchor{0, 0, 0};   ///< on the plane
   Vec3 normal{0, 0, 1};   ///< of length 1
@@ -27,25 +28,24 @@ struct CutHandle {
 const CutPlane* held_cut(const ViewportScene& scene);
 CutHandle make_cut_handle(const CutPlane& cut, const View& view, double scale);
 
-/// The cut after its handle was dragged from a place to another; handle, cut: as they were when the
-/// drag began.
+/// The cut after a drag of its handle. handle, cut: their state when the drag began.
 CutPlane moved_cut(const CutPlane& cut, const CutHandle& handle, const View& view,
                    const ScreenVector& by);
 CutPlane turned_cut(const CutPlane& cut, const CutHandle& handle, const View& view,
                     const ScreenPoint& to);
 
-/// The mouse on the handle of a cut.
+/// Drags the handle of a cut with the mouse.
 class CutTool {
  public:
   void hover(const PointerFrame& frame);
   void leave() { part_ = CutPart::none; }
   /// Begins a drag with the part under the mouse. False if there is none.
   bool press(const PointerFrame& frame);
-  /// The mouse went to a place.
+  /// Moves or turns the cut to follow the mouse.
   void drag(const PointerFrame& frame) const;
-  /// The cut is as it was before the drag.
+  /// Restores the cut from before the drag.
   void put_back(const PointerFrame& frame) const;
-  /// Under the mouse, or held.
+  /// The part under the mouse, or held.
   CutPart part() const { return part_; }
 
  private:

@@ -2,31 +2,31 @@
 
 #include "gui/render/view.h"
 
-/// What the mouse means in space when it goes from one place to another. A thing that is seen end
-/// on moves no faster than a few times what the mouse does.
+/// Converts movements of the mouse on screen to motions in space. Along a direction that is seen
+/// end on, a motion is at most a few times as fast as the mouse.
 namespace winslow::gui {
 
-/// Of length 1, from a point towards the viewer.
+/// Unit vector from a point towards the viewer.
 Vec3 towards_viewer(const View& view, const Vec3& point);
 
-/// How far along a line through a point, units of the mesh, such that what was under the mouse
-/// stays under it. Seen end on, up on screen is forwards. direction: of length 1.
+/// Distance along a line through a point, in mesh units, that keeps what was under the mouse under
+/// it. If the line is seen end on, up on screen is forwards. direction: of length 1.
 double travel_along(const View& view, const Vec3& point, const Vec3& direction,
                     const ScreenPoint& from, const ScreenPoint& to);
 
-/// The same in a plane through a point. Seen edge on, along the line that is its picture. normal:
-/// of length 1.
+/// The same as a vector in a plane through a point. If the plane is seen edge on, the vector lies
+/// along the line as which the plane appears. normal: of length 1.
 Vec3 travel_in_plane(const View& view, const Vec3& point, const Vec3& normal,
                      const ScreenPoint& from, const ScreenPoint& to);
 
-/// By how many degrees a ring about an axis through a point is turned, between -180 and 180: as the
-/// mouse goes around its centre, or, seen edge on, along its near side. radius: of the ring,
-/// pixels.
+/// Angle, -180 to 180 degrees, by which the mouse turns a ring about an axis through a point: the
+/// angle of the mouse about the centre or, if the ring is seen edge on, its way along the near
+/// side. radius: of the ring, pixels.
 double turn_about(const View& view, const Vec3& point, const Vec3& axis, double radius,
                   const ScreenPoint& from, const ScreenPoint& to);
 
-/// The handle with which a selection is moved: arrows, squares, rings and a centre in space; in the
-/// plane those of them that lead out of it are left out.
+/// The handle that moves a selection: arrows, squares, rings and a centre. In the plane, it lacks
+/// the parts whose motions lead out of the plane.
 ///
 ///     const auto gizmo = make_gizmo(view, {.pivot = Vec3(0.5, 0, 0), .in_plane = true}, 1);
 ///     const Handle taken = gizmo->handle_at(mouse);
@@ -52,17 +52,17 @@ struct Handle {
 /// The directions of a gizmo, of length 1, at right angles, right-handed.
 struct GizmoFrame {
   std::array<Vec3, 3> axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
-  /// The third is a picked axis or a normal, which is none of the mesh's own.
+  /// The third axis is a picked axis or a normal, not one of the mesh's axes.
   bool aligned = false;
-  const char* third = "axis";  ///< what that one is called
+  const char* third = "axis";  ///< name of the third axis
 
-  /// That of the mesh if the axis is one of its own; else one whose third axis it is.
+  /// The frame of the mesh if `axis` is one of its axes; else a frame whose third axis is `axis`.
   static GizmoFrame about(const Vec3& axis, const char* name = "axis");
-  /// "x", or "u", "v" and the third one's name.
+  /// Name of an axis: "x", "y" or "z"; or "u", "v" and the name of the third one.
   const char* name(int axis) const;
 };
 
-/// What a gizmo is for.
+/// Where a gizmo is in the mesh, and which motions it offers.
 struct GizmoPlace {
   Vec3 pivot{0, 0, 0};
   GizmoFrame frame = {};
@@ -73,8 +73,8 @@ struct GizmoPlace {
   double turned = 0;  ///< degrees by which a drag has turned it so far
 };
 
-/// Where a gizmo is on screen, in framebuffer pixels. In space its size does not depend on how near
-/// it is.
+/// A gizmo on screen, in framebuffer pixels. In space, its size does not depend on its distance
+/// from the viewer.
 struct Gizmo {
   /// A part of a ring, which is drawn as lines from point to point.
   struct RingPoint {
@@ -91,8 +91,8 @@ struct Gizmo {
   std::array<std::vector<RingPoint>, 3> rings;        ///< closed
   double ring_radius = 0, screen_radius = 0;
   std::optional<ScreenPoint> knob, pin;
-  /// That can be taken, but for an arrow that points at the viewer and a square that is seen edge
-  /// on. Where they overlap, the first one is meant; of rings, the nearest.
+  /// Handles that can be grabbed: not an arrow that points at the viewer, nor a square seen edge
+  /// on. Where handles overlap, the first one is meant; of rings, the nearest.
   std::vector<Handle> handles;
 
   bool has(const Handle& handle) const;
@@ -105,8 +105,8 @@ struct Gizmo {
 
 /// None if the pivot lies behind the viewer.
 std::optional<Gizmo> make_gizmo(const View& view, const GizmoPlace& place, double scale);
-/// Where a point of a ring about an axis is, turned by an angle (degrees) from a direction across
-/// the axis. radius: pixels.
+/// Place on screen of a point of a ring about an axis, turned by an angle (degrees) from a
+/// direction across the axis. radius: pixels.
 ScreenPoint on_ring(const View& view, const Vec3& pivot, const Vec3& axis, const Vec3& from,
                     double angle, double radius);
 

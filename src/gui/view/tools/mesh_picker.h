@@ -8,8 +8,8 @@
 
 namespace winslow::gui {
 
-/// What lies under the mouse in the mesh that is shown, and what clicks and drags of it mean: one
-/// kind of picker for meshes of the plane, one for those of space.
+/// Finds what lies under the mouse in the mesh on screen, and interprets clicks and drags there:
+/// one subclass for plane meshes, one for meshes in space.
 ///
 ///     picker.look(frame, false);
 ///     if (const auto point = picker.grab(frame)) mover.grab(*point, press, frame);
@@ -17,8 +17,8 @@ class MeshPicker {
  public:
   virtual ~MeshPicker() = default;
 
-  /// Looks at what lies under the mouse, and says which markers and node that are. handled: a
-  /// handle is there, which comes first.
+  /// Finds what lies under the mouse, and reports changes of the markers and the node there as
+  /// actions. handled: the mouse is over a handle, which has priority.
   void look(const PointerFrame& frame, bool handled) {
     found_ = {};
     frame.pointer.over ? find(frame, handled) : forget();
@@ -28,7 +28,7 @@ class MeshPicker {
       frame.actions.emplace_back(action::HoverMarkers{found_.markers});
     told_markers_ = found_.markers;
   }
-  /// The mesh or the view may be another, though the mouse is where it was.
+  /// Makes the next look() search again: mesh or view may have changed under a resting mouse.
   virtual void look_again() {}
 
   // What lies under the mouse, as of the last look().
@@ -36,23 +36,24 @@ class MeshPicker {
   const std::vector<Index>& markers() const { return found_.markers; }
   /// Nodes of the boundary that a click holds while shapes are edited: one, or those of a face.
   const std::vector<Index>& held() const { return found_.held; }
-  /// What a click takes the pivot from.
+  /// What a click sets the pivot to.
   const std::optional<PivotSource>& pivot_source() const { return found_.pivot_source; }
-  /// In space.
+  /// The place of the mesh under the mouse; only in space.
   const std::optional<SeenPlace>& seen() const { return seen_; }
-  /// A drag takes hold of it.
+  /// True if a drag can grab what lies under the mouse.
   virtual bool takes() const { return held().size() == 1; }
 
-  /// The point of the mesh there; none: nothing is.
+  /// The point of the mesh under the mouse; none: nothing lies there.
   virtual std::optional<Vec3> point(const PointerFrame& frame) const = 0;
-  /// What the view turns about where nothing lies under the mouse.
+  /// The point about which the view turns if nothing lies under the mouse.
   virtual Vec3 middle(const PointerFrame& frame) const = 0;
 
-  /// A drag begins here with the left button. A point of what it takes hold of: a body, or nodes of
-  /// the boundary, which are selected then; none: nothing.
+  /// Begins a drag with the left button of a body, or of nodes of the boundary; selects them unless
+  /// they are selected. Returns a point of what is dragged; none: there is nothing to drag.
   virtual std::optional<Vec3> grab(const PointerFrame& frame) = 0;
   virtual void click(const PointerFrame& frame) const = 0;
-  /// Shows the node under the mouse in the tab VCV, if that is what clicks are for. False if not.
+  /// Shows the node under the mouse in the tab VCV. False, without effect, if clicks do not pick
+  /// nodes.
   virtual bool inspect(const PointerFrame& frame) const = 0;
   /// Where a click puts a point of the ruler; none: nowhere.
   virtual std::optional<RulerPoint> ruler_point(const PointerFrame& frame) = 0;
@@ -65,9 +66,9 @@ class MeshPicker {
     std::optional<PivotSource> pivot_source;
     std::optional<Index> node;  ///< that a click inspects
   };
-  /// Looks at what lies under the mouse; what was found before is forgotten.
+  /// Finds what lies under the mouse. found_ is empty when it is called.
   virtual void find(const PointerFrame& frame, bool handled) = 0;
-  /// The mouse is elsewhere.
+  /// Called when the mouse is elsewhere.
   virtual void forget() = 0;
 
   Found found_;

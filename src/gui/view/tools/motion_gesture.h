@@ -11,12 +11,12 @@ namespace winslow::gui {
 class TypedMotion {
  public:
   void clear() { *this = TypedMotion(); }
-  /// Takes the digits, signs and points of a text (a comma is a point); leaves the rest alone. True
-  /// if it took any.
+  /// Appends the digits, signs and points of a text (a comma is a point), and ignores the rest.
+  /// True if it appended any.
   bool type(std::u32string_view text);
-  /// Takes the last character back; from an empty field it goes back to the one before.
+  /// Deletes the last character; in an empty field, returns to the previous field.
   bool erase();
-  /// Goes on to the next of `count` fields, from the last one to the first.
+  /// Moves to the next of `count` fields, from the last one to the first.
   void next(std::size_t count);
 
   bool active() const {
@@ -25,7 +25,7 @@ class TypedMotion {
   /// As typed.
   const std::string& text(std::size_t field) const { return fields_[field]; }
   std::size_t field() const { return at_; }
-  /// 0 for a field with nothing in it; none for what is no number (yet): "-".
+  /// Value of a field: 0 if it is empty; none if it is not (yet) a number, such as "-".
   std::optional<double> value(std::size_t field) const;
 
  private:
@@ -47,37 +47,38 @@ class MotionGesture {
 
   /// from: where the mouse is.
   void begin(const Handle& handle, const ScreenPoint& from, const Gizmo& gizmo, const View& view);
-  /// The mouse went to a place. True if that changed the motion.
+  /// Updates the motion for a new place of the mouse. True if the motion changed.
   bool drag_to(const ScreenPoint& mouse, Modifiers modifiers, const View& view);
-  /// Takes the motion from typed numbers: degrees, or units of the mesh along each of
-  /// directions(). True if that changed the motion.
+  /// Sets the motion from typed numbers: degrees, or units of the mesh along each of directions().
+  /// True if the motion changed.
   bool type(const TypedMotion& typed);
   std::size_t typed_fields() const { return turns() ? 1 : directions().size(); }
-  /// Keeps a move to an axis of the mesh, or turns about it, 0 to 2; the same one again sets it
-  /// free. Leaves out what would lead out of the plane.
+  /// Restricts a move, or the axis of a turn, to an axis of the mesh, 0 to 2; the same axis again
+  /// lifts the restriction. Has no effect where the motion would leave the plane.
   void toggle_axis(int axis, const View& view);
 
   bool turns() const {
     return handle_.kind == Handle::Kind::ring || handle_.kind == Handle::Kind::screen_ring;
   }
-  /// That was taken.
+  /// The grabbed handle.
   const Handle& handle() const { return handle_; }
-  /// The one that stands for what the drag does now: an arrow while it is kept to an axis.
+  /// The handle that represents the present motion: an arrow while a move is restricted to an axis.
   Handle shown_handle() const;
-  /// An axis of the mesh that it is kept to.
+  /// The axis of the mesh to which the motion is restricted; none: it is free.
   std::optional<int> locked() const { return locked_; }
-  /// A direction along which it moves, and what it is called: "x".
+  /// A direction of a move, and its name, such as "x".
   struct Direction {
     Vec3 along;
     const char* name;
   };
-  /// One to three of them.
+  /// The one to three directions of a move.
   std::vector<Direction> directions() const;
-  /// "x", "the axis", "the line of sight"; empty in the plane, where there is only one.
+  /// Name of the axis of rotation: "x", "the axis", "the line of sight"; empty in the plane, where
+  /// there is only one.
   const char* axis_name() const;
-  /// Of the rotation, of length 1.
+  /// Axis of the rotation, of length 1.
   Vec3 axis() const;
-  /// The direction, across the axis, in which the ring was taken.
+  /// The direction, across the axis, in which the ring was grabbed.
   const Vec3& grip() const { return grip_; }
 
   // Total, since begin().
@@ -116,10 +117,10 @@ class MotionGesture {
   Way now_;
   Vec3 grip_{1, 0, 0};
   ScreenPoint last_;
-  // As deep as the pivot, so that the view may change on the way: where the mouse was pressed, and
-  // where it would be had it always gone at the speed that fine motion has.
+  // Points at the depth of the pivot, so that the view may change during the drag: where the mouse
+  // was pressed, and where it would be now if fine motion had really moved it more slowly.
   Vec3 from_{0, 0, 0}, to_{0, 0, 0};
-  double turned_ = 0;  // by the mouse, degrees, past half turns
+  double turned_ = 0;  // angle by the mouse, degrees, not limited to half turns
 };
 
 }  // namespace winslow::gui

@@ -6,25 +6,26 @@
 
 namespace winslow::gui {
 
-/// Moves what is selected: whole bodies, or while shapes are edited what is held of the boundary.
-/// Takes its handle with the mouse and turns that into actions.
+/// Moves the selection: whole bodies, or the held part of the boundary while shapes are edited.
+/// Turns drags of its handle with the mouse into actions.
 class Mover {
  public:
-  /// Looks at what is under the mouse, which drags nothing.
+  /// Finds the handle under the mouse while nothing is dragged.
   void hover(const PointerFrame& frame);
   /// Begins a drag with a handle of a gizmo.
   void begin(const Handle& handle, const Gizmo& gizmo, const ScreenPoint& from,
              const PointerFrame& frame);
-  /// Begins to drag what lies at a point across the view: a body, or what is held of the boundary.
+  /// Begins to drag what lies at a point in parallel to the screen: a body, or the held part of the
+  /// boundary.
   void grab(const Vec3& point, const ScreenPoint& from, const PointerFrame& frame);
-  /// A frame of the drag; ends it with Enter, Esc or when the button is let go of. before: the
-  /// mouse in the frame before.
+  /// Continues the drag by a frame. Enter, Esc or release of the button end it. before: the mouse
+  /// in the previous frame.
   void drag(const PointerFrame& frame, const PointerState& before);
 
   bool dragging() const { return dragging_; }
-  /// What is dragged is a part of the boundary.
+  /// A part of the boundary is being dragged.
   bool shapes() const { return dragging_ && shape_; }
-  /// Under the mouse, or standing for what the drag does.
+  /// The handle under the mouse, or the one that represents the motion of the drag.
   Handle handle() const { return dragging_ ? gesture_.shown_handle() : hovered_; }
   /// The drag so far.
   const MotionGesture& gesture() const { return gesture_; }

@@ -8,11 +8,11 @@
 
 namespace winslow::gui {
 
-/// Nearest node to a point, of those that elements use. Immutable.
+/// Finds the node nearest to a point, of the nodes that elements use. Immutable.
 class NodeIndex {
  public:
   NodeIndex(const Topology& topology, const Coordinates& coordinates);
-  /// None farther away than `radius`; of nodes equally near, the lowest.
+  /// The nearest node within `radius`; of nodes equally near, the lowest. None if none is so near.
   std::optional<Index> nearest(const Vec2& point, double radius) const;
 
  private:
@@ -21,7 +21,7 @@ class NodeIndex {
 };
 
 /// Finds the node under the mouse on a mesh that may change at any frame. The tree is built in the
-/// background; while it is behind, every node is looked at, which takes a few milliseconds per
+/// background; until it is up to date, every node is searched, which takes a few milliseconds per
 /// million.
 class NodePicker {
  public:
@@ -55,7 +55,7 @@ class PlanePicker : public MeshPicker {
   std::optional<RulerPoint> ruler_point(const PointerFrame& frame) override;
   PickedPlace place_at(const ScreenPoint& at, const PointerFrame& frame) override;
 
-  /// Where the mouse puts the pivot; with Control it snaps to what has a name, and to nodes.
+  /// Where the mouse puts the pivot; with Control it snaps to named points and to nodes.
   struct PivotPlacing {
     Vec2 at{0, 0};
     std::string snapped_to;  ///< empty: nothing

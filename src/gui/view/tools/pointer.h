@@ -21,7 +21,8 @@ struct PointerState {
   bool key_x = false, key_y = false, key_z = false;  ///< keep a drag to an axis
   std::u32string text;                               ///< typed since the last frame
   bool erase = false, next = false;                  ///< Backspace, Tab
-  /// The click under way is another tool's: it selects nothing. A drag is the viewport's still.
+  /// Another tool uses the click under way: it selects nothing. A drag still belongs to the
+  /// viewport.
   bool click_taken = false;
 };
 
@@ -35,26 +36,26 @@ struct ViewportScene {
   double reach = 0;                     ///< of the selection around its pivot, units of the mesh
   double scale = 1;                     ///< of the interface; sizes of handles grow with it
   bool box_zoom = false;                ///< the next drag draws the box to zoom to
-  bool look_only = false;               ///< a tool has the clicks: nothing is taken hold of
+  bool look_only = false;               ///< a tool uses the clicks: nothing can be grabbed
   bool inspects = false;                ///< clicks on nodes show them in the tab VCV
   bool wheel_is_lens = false;           ///< the wheel belongs to the magnifier
 };
 
-/// A frame of the mouse: where it is, over what, and where its actions go.
+/// The input of one frame: the mouse, what it acts upon, the view, and the queue for its actions.
 struct PointerFrame {
   const PointerState& pointer;
   const ViewportScene& scene;
   View& view;
   ActionQueue& actions;
 
-  /// Clicks are to pick nodes.
+  /// True if clicks pick nodes.
   bool picks_nodes() const {
     return (pointer.alt || scene.inspects) && !scene.box_zoom && !scene.look_only;
   }
 };
 
-// What the mouse counts as near, framebuffer pixels at scale 1.
-inline constexpr double drag_threshold = 4;  // what stays within is a click
+// Distances within which the mouse counts as near, framebuffer pixels at scale 1.
+inline constexpr double drag_threshold = 4;  // shorter movements are clicks
 inline constexpr double boundary_radius = 7;
 inline constexpr double node_radius = 10;
 

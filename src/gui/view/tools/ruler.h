@@ -12,19 +12,19 @@ struct RulerPoint {
   std::optional<Vec3> normal;  ///< of the surface there, of length 1; none in the plane
 };
 
-/// Measures by clicks: two give a distance, in space with the angle between the two faces, a third
-/// the angle at the second point. Points that snapped to nodes go with them when the mesh moves.
+/// Measures by clicks. Two points give a distance, in space also the angle between the two faces; a
+/// third point gives the angle at the second. Points that snapped to nodes move with the mesh.
 class Ruler {
  public:
-  /// Takes the mouse. under: where a click puts a point; none: nowhere.
+  /// Handles the mouse in a frame. under: where a click puts a point; none: nowhere.
   void update(const PointerState& pointer, const std::optional<RulerPoint>& under, double scale,
               const Session& session);
-  /// Takes all points away.
+  /// Removes all points.
   void clear();
 
-  /// Clicked so far, three at most.
+  /// The points clicked so far, three at most.
   const std::vector<RulerPoint>& points() const { return points_; }
-  /// Those, and where the next click would put one.
+  /// points(), and the point that the next click would add.
   std::vector<RulerPoint> drawn() const;
 
  private:
@@ -34,7 +34,7 @@ class Ruler {
   std::optional<RulerPoint> hovered_;
   std::optional<ScreenPoint> press_;
   bool was_down_ = false;
-  std::shared_ptr<const Topology> topology_;  // that the nodes are of
+  std::shared_ptr<const Topology> topology_;  // of the mesh of the nodes
 };
 
 /// What two or three points measure, in units of the mesh and in degrees.
@@ -46,7 +46,7 @@ struct Measurement {
   std::optional<double> second;     ///< from the second to the third
   std::optional<double> angle;      ///< at the second point, 0 to 180; none: a leg has no length
 };
-/// None of fewer than two points.
+/// None for fewer than two points.
 std::optional<Measurement> measure(const std::vector<RulerPoint>& points);
 
 }  // namespace winslow::gui

@@ -9,35 +9,35 @@
 
 namespace winslow::gui {
 
-/// The face of the boundary that is seen at a place, its corners counter-clockwise for the viewer;
+/// Corners of the face of the boundary that is seen at a place, counter-clockwise for the viewer;
 /// empty: none is.
 std::vector<Index> seen_face(const SeenPlace& seen, const Mesh& mesh);
-/// The corner of that face that is nearest to the place.
+/// The corner of seen_face() that is nearest to the place.
 std::optional<Index> nearest_corner(const SeenPlace& seen, const Mesh& mesh);
 
-/// Finds what a click in a volume mesh takes a pivot from.
+/// Finds what a click in a volume mesh sets the pivot to.
 class PivotPicker {
  public:
-  /// What a click there would take; none: no surface is there. Of two nodes it is the one there
-  /// alone, or both once `first` is taken.
+  /// The pivot that a click at a place would set; none: no surface is there. From two nodes: the
+  /// node there alone, or both once `first` is set.
   std::optional<PivotSource> source_at(const SeenPlace& seen, PivotFrom from,
                                        std::optional<Index> first, const Session& session);
-  /// The row of sharp edges that goes on straight from an edge on both sides: its ends. The edge's
-  /// own ends if it is not sharp.
+  /// End nodes of the straight row of sharp edges through an edge. The edge's own ends if it is not
+  /// sharp.
   std::vector<Index> straight_row(Index a, Index b, const Session& session);
 
  private:
   void find_sharp_edges(const Session& session);
   Index end_of_row(Index from, Index to, const Coordinates& x) const;
 
-  // Ends of the sharp edges that begin at a node, of the mesh that the session had.
+  // Sharp edges by their nodes, of the mesh of generation_.
   std::vector<std::array<Index, 2>> sharp_;  // both ways, ascending
   std::uint64_t generation_ = 0;
 };
 
-/// The place of a border line of a surface mesh that is seen nearest to a place of the screen, no
-/// more than `reach` pixels away. None where it is hidden, by its marker's eye or by the surface,
-/// and for other meshes.
+/// The visible place of a surface mesh's border lines that is nearest to a place of the screen, at
+/// most `reach` pixels away. None for lines hidden by their marker's eye or by the surface, and for
+/// other meshes.
 std::optional<SeenPlace> seen_border(const ScreenPoint& at, double reach, const VolumeView& picture,
                                      const View& view, const MarkerLooks& looks);
 
@@ -61,7 +61,7 @@ class SpacePicker : public MeshPicker {
   void click_for_shape(bool add, const PointerFrame& frame) const;
 
   PivotPicker pivot_picker_;
-  std::optional<SeenPlace> surface_;  // of which pivot_source() and held() are
+  std::optional<SeenPlace> surface_;  // place for which pivot_source() and held() were found
   // What seen() was found for.
   struct Looked {
     ScreenPoint at;

@@ -5,8 +5,8 @@
 
 namespace winslow::gui {
 
-/// One edge of a VCV under the mouse: turning it changes the two angles beside it, their sum kept,
-/// pulling it changes its length. All other edges stay.
+/// Drags one edge of a VCV with the mouse. Turning it changes the two adjacent angles at a constant
+/// sum; pulling it changes its length. All other edges stay.
 class VcvDrag {
  public:
   enum class Constraint { none, angle_only, length_only };
@@ -15,11 +15,11 @@ class VcvDrag {
   VcvDrag(const NodalView& view, std::size_t edge);
 
   std::size_t edge() const { return edge_; }
-  /// The VCV with the edge's end at a point of the VCV's plane (as it was at the start: edge 0 on
-  /// the positive x axis) or as near to it as makes sense: angles of 5 to 175 degrees, lengths from
+  /// The VCV with the edge's end at a point of the VCV's plane, in the frame of the start (edge 0
+  /// on the positive x axis). The end is limited to angles of 5 to 175 degrees and to lengths from
   /// a tenth of the mean to `longest`.
   VcvEdit to(const Vec2& point, Constraint constraint, double longest) const;
-  /// Angle by which a VCV that to() gave is turned so that the edges which stay do not move.
+  /// Angle by which to turn the result of to() so that the other edges do not move.
   double turn(const VcvEdit& edit) const;
 
  private:
@@ -28,18 +28,17 @@ class VcvDrag {
   double before_ = 0;  // direction of the edge before, radians
 };
 
-/// One point of a VCV on the sphere under the mouse: it goes where it is taken, or its edge becomes
-/// longer or shorter. All others stay. A triangle of the link that would turn over stops it at the
-/// last place where none does.
+/// Drags one point of a VCV on the sphere with the mouse, or changes the length of its edge. All
+/// other points stay. The point stops before a triangle of the link would turn over.
 class SphereDrag {
  public:
   /// edge: number of the edge, below view.neighbours.size(). Directions are those of view.vcv.
   SphereDrag(const VolumeNodalView& view, std::size_t edge);
 
   std::size_t edge() const { return edge_; }
-  /// Towards a direction, of any length but zero.
+  /// Moves the point towards a direction, of any length but zero.
   void turn_to(const Vec3& direction);
-  /// To a length; from a tenth of the mean to `longest`.
+  /// Sets the length of the edge, limited to a tenth of the mean and to `longest`.
   void stretch_to(double length, double longest);
 
   /// The VCV as it is now.
@@ -49,7 +48,7 @@ class SphereDrag {
   const std::optional<Index>& stopped_by() const { return stopped_by_; }
 
  private:
-  /// None if the VCV with the edge in this direction is valid; else what is not.
+  /// The triangle that turns over if the edge has this direction; none: the VCV is valid.
   std::optional<Index> turned_over(const Vec3& direction) const;
 
   SphereLink link_;
@@ -57,7 +56,8 @@ class SphereDrag {
   std::vector<Index> neighbours_;
   SphereStencil stencil_;
   std::size_t edge_;
-  double least_ = 0;  // share of the equal solid angle that no triangle falls below
+  double least_ =
+      0;  // lower limit of the solid angle of a triangle, as a share of the equal solid angle
   double shortest_ = 0;
   std::optional<Index> stopped_by_;
 };

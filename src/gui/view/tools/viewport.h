@@ -7,10 +7,11 @@
 
 namespace winslow::gui {
 
-/// A click of the right button: it pans when it is dragged, and opens a menu where it is not.
+/// Detects clicks of the right button, which open a menu; a drag with that button pans.
 class ContextClick {
  public:
-  /// The place clicked, in the frame in which the button goes up there. scale: of the interface.
+  /// The place clicked, in the frame in which the button is released there; none: no click. scale:
+  /// of the interface.
   std::optional<ScreenPoint> update(const PointerState& pointer, double scale);
 
  private:
@@ -18,8 +19,8 @@ class ContextClick {
   bool was_down_ = false;
 };
 
-/// Turns the mouse over the mesh into actions: selects, drags bodies, handles, parts of the
-/// boundary and cuts; turns, pans and zooms the view. Knows nothing of OpenGL or of widgets.
+/// Turns input of the mouse over the mesh into actions: selects, drags bodies, handles, parts of
+/// the boundary and cuts; turns, pans and zooms the view. Independent of OpenGL and of widgets.
 ///
 ///     viewport.update(pointer, scene, view, actions);  // in every frame
 class Viewport {
@@ -31,7 +32,7 @@ class Viewport {
   Gesture gesture() const { return gesture_; }
   /// A body, a handle or a piece of boundary is being dragged.
   bool dragging() const { return gesture_ == Gesture::move; }
-  /// It changes the view or the box to zoom to.
+  /// The mouse changes the view or the box to zoom to.
   bool looks_around() const {
     return gesture_ == Gesture::orbit || gesture_ == Gesture::pan || gesture_ == Gesture::box;
   }
@@ -75,7 +76,7 @@ class Viewport {
   bool other_button_ = false;  // the middle or right one
   ScreenPoint press_;
   bool clicks_ = false;   // the mouse has not gone far since
-  Vec3 centre_{0, 0, 0};  // of the mesh, that the view turns about and that is panned along
+  Vec3 centre_{0, 0, 0};  // point of the mesh about which the view turns, or by which it is panned
   LookedAt view_before_;
   Vec3 pivot_before_{0, 0, 0};
   std::string snapped_to_;
