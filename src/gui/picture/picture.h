@@ -12,7 +12,8 @@ struct PictureOptions {
   int width = 1200, height = 900;     ///< pixels
   std::optional<ElementField> color;  ///< colour elements by this
   std::optional<Bounds> bounds;       ///< shown whole; default: the whole mesh
-  /// The nodes as they were before, for WallField::first_height_ratio; none: it has no values.
+  /// The nodes as they were before, for WallField::first_height_ratio; null: that field has no
+  /// values.
   std::shared_ptr<const Coordinates> before;
   ColorChoice colors;  ///< of what is coloured; on_dark follows dark
   bool wireframe = true;
@@ -24,18 +25,18 @@ struct PictureOptions {
   int samples = 4;          ///< multisampling
 };
 
-/// Inverted elements are red and counted in a caption. Throws Error where no OpenGL can be had, and
-/// UsageError for an unknown colour map, a node without a VCV, bounds or a range without extent, a
-/// size out of range.
+/// Draws a picture; inverted elements are red and counted in a caption. Throws Error if OpenGL is
+/// not available, and UsageError for an unknown colour map, a node without a VCV, bounds or a range
+/// without extent, a size out of range.
 Image draw_picture(const Mesh& mesh, const PictureOptions& options);
 
-/// The same as vector graphics, a pixel of the options being a point. Throws UsageError.
+/// The same as vector graphics, one point per pixel of the options. Throws UsageError.
 VectorFigure picture_figure(const Mesh& mesh, const PictureOptions& options);
 
-/// The scale that the colours of a picture have: of several that are to be compared, take one.
-/// Needs options.color.
+/// The scale of the colours of a picture; pictures to compare should all use one scale. Needs
+/// options.color.
 ColorScale picture_scale(const Mesh& mesh, const PictureOptions& options);
-/// Two pictures of one height side by side.
+/// Puts two pictures of the same height side by side.
 Image side_by_side(const Image& left, const Image& right);
 
 }  // namespace winslow::gui

@@ -4,11 +4,11 @@
 
 namespace winslow::gui {
 
-/// A mesh as the graphics card wants it: vertices in single precision relative to an origin, and
-/// indices into them. Knows no OpenGL.
+/// A mesh in the form that the graphics card needs: vertices in single precision relative to an
+/// origin, and indices into them. Independent of OpenGL.
 struct DrawList {
   struct Range {
-    std::size_t first = 0, count = 0;  ///< in lines, if nothing else is said
+    std::size_t first = 0, count = 0;  ///< in lines, unless stated otherwise
   };
   Vec3 origin{0, 0, 0};
   std::vector<float> positions;          ///< x and y of each vertex, minus origin
@@ -22,21 +22,20 @@ struct DrawList {
   std::vector<float> line_spacing;   ///< per line: distance to the next parallel line, world units;
                                      ///< interior lines come in its order, the widest first
   std::vector<Index> line_edge;      ///< per interior line: index into Topology::edges()
-  /// Two per triangle: distance from its longest line to the corner opposite, and the length of its
-  /// lines per area, half of each. Only for lists worth merging, see draw_list.h; else empty.
+  /// Two per triangle: distance from its longest line to the opposite corner, and the length of its
+  /// lines per area, each counted half. Only for lists worth merging, see many_lines; else empty.
   std::vector<float> triangle_lines;
-  /// What lies nearer hides what lies behind it; else, as in the plane, what comes later lies
-  /// above.
+  /// Nearer items hide those behind them; else, as in the plane, later items lie above.
   bool depth_test = false;
-  /// Triangles that are enough to draw of a mesh that lies over itself many times; see overlap.h.
+  /// Triangles that suffice to draw a mesh that overlaps itself many times; see overlap.h.
   struct Seen {
-    Range beside_inverted;  ///< where inverted ones are drawn above all; ranges count triangles
-    Range alone;            ///< where they are not
+    Range beside_inverted;  ///< if inverted ones are drawn above all; ranges count triangles
+    Range alone;            ///< if they are not
     Range whole;            ///< every triangle as it is
-    /// Last of all, with vertices of their own: where some elements are see-through, what is seen
-    /// of the others, and of these one layer; see seen_through(). Empty: not asked for.
+    /// If some elements are see-through: the visible parts of the others, and one layer of these;
+    /// see seen_through(). Last in the list, with vertices of their own. Empty: not asked for.
     Range through = {};
-    std::size_t vertices = 0;  ///< of the list without those; 0: not asked for
+    std::size_t vertices = 0;  ///< of the list without those of `through`; 0: not asked for
   };
   std::optional<Seen> seen;  ///< none: all of them
   Range interior, boundary;
@@ -55,7 +54,7 @@ EdgeGroups group_edges(const Topology& topology);
 DrawList whole_draw_list(const Topology& topology, const EdgeGroups& groups,
                          const Coordinates& coordinates, const Vec2& origin);
 
-/// What lies in a box, cut off at its sides in double precision: for a zoom so deep that single
+/// The part of the mesh in a box, clipped in double precision: for a zoom so deep that single
 /// precision cannot tell the ends of a long edge from each other. The origin is the box's centre.
 DrawList clipped_draw_list(const Topology& topology, const EdgeGroups& groups,
                            const Coordinates& coordinates, const Bounds& box);
@@ -81,7 +80,7 @@ double edge_spacing(const Topology& topology, const Coordinates& coordinates,
                     const Topology::Edge& edge);
 
 /// Lines closer together than fade_distance times their width fade in proportion: triangles have
-/// three families of lines, which then cover half of the surface together. At the given share of
+/// three families of lines, which then cover half of the surface together. At vanishing_share of
 /// that distance, a third of a pixel for thin lines, they are gone and only the colours remain.
 inline constexpr float fade_distance = 6.0f;
 inline constexpr float vanishing_share = 0.06f;
@@ -104,7 +103,7 @@ double line_opacity(double spacing, double width);
 /// Call it while they are the list's only lines.
 void sort_by_spacing(DrawList& list);
 
-/// Number of interior lines, from the first, among which are all whose spacing is at least this.
+/// Number of leading interior lines that include all whose spacing is at least this.
 std::size_t lines_spaced(const DrawList& list, float spacing);
 
 }  // namespace winslow::gui

@@ -10,8 +10,8 @@ namespace winslow::gui {
 /// An off-screen target: colour and depth, multisampled and resolved before it is read back.
 class FrameBuffer {
  public:
-  /// Sizes in pixels; samples per pixel (0 or 1: none), lowered to what the machine can do. Throws
-  /// UsageError for a size outside what it can do.
+  /// Sizes in pixels; samples per pixel (0 or 1: none), limited to what the machine supports.
+  /// Throws UsageError for a size that it does not support.
   FrameBuffer(int width, int height, int samples);
   ~FrameBuffer();
   FrameBuffer(const FrameBuffer&) = delete;
@@ -27,9 +27,9 @@ class FrameBuffer {
   struct Part {
     int x, y, width, height;
   };
-  /// Of a framebuffer of that height.
+  /// The pixels of a box in a framebuffer of that height.
   static Part part_of(const ScreenBox& box, int height);
-  /// The framebuffer that draw calls go to now.
+  /// The framebuffer to which draw calls go now.
   static unsigned bound();
   /// Averages the samples of a part, for show(); leaves another target bound.
   void resolve(const Part& part) const;
@@ -46,15 +46,16 @@ class FrameBuffer {
   unsigned buffers_[3] = {0, 0, 0};
 };
 
-/// A picture that is kept, and drawn anew only when what it depends on, its key, is another.
+/// A picture kept from frame to frame, redrawn only when its key changes: everything on which it
+/// depends.
 template <class Key>
 class KeptPicture {
  public:
-  /// Draws anew next time.
+  /// Makes the next show() redraw the picture.
   void forget() { key_.reset(); }
   void clear() { *this = KeptPicture(); }
-  /// Shows a part of the picture in the framebuffer that is bound. draw: makes the picture, in a
-  /// framebuffer of that width and height which is bound by then.
+  /// Shows a part of the picture in the bound framebuffer. draw: draws the picture into a
+  /// framebuffer of that width and height, which is bound when it is called.
   template <class Draw>
   void show(const Key& key, const FrameBuffer::Part& part, int width, int height,
             const Draw& draw) {

@@ -18,7 +18,7 @@ using GlLoader = GLADloadfunc;
 /// made. Throws Error if the context offers less than OpenGL 3.3.
 void load_gl(GlLoader loader);
 
-/// What is drawn from now on covers what is there as far as its alpha says, from either side.
+/// Sets alpha blending for what is drawn from now on, and draws triangles from either side.
 void draw_over();
 
 /// A buffer of the graphics card. Content of the same size is updated in place.

@@ -16,7 +16,7 @@ struct Image {
   }
 };
 
-/// Time spent on making the file small.
+/// How much time is spent to make the file small.
 enum class PngEffort { normal, little };
 
 /// Written to a temporary name and renamed. Throws OutputError.
@@ -26,8 +26,8 @@ void write_png(const std::filesystem::path& path, const Image& image,
 /// Reads a PNG of any colour type. Throws InputError.
 Image read_png(const std::filesystem::path& path);
 
-/// What was drawn over a transparent ground with OpenGL's blending has colours multiplied by their
-/// alpha; files hold them undivided.
+/// Divides colours by their alpha, as files need them: OpenGL's blending over a transparent
+/// background leaves them multiplied by it.
 void divide_by_alpha(Image& image);
 
 }  // namespace winslow::gui

@@ -14,9 +14,9 @@ class MeshBuffers {
   MeshBuffers(const MeshBuffers&) = delete;
   MeshBuffers& operator=(const MeshBuffers&) = delete;
 
-  /// Uploads what differs from the list held: of a mesh that only moved, that is its positions and
-  /// the order of its lines. True if its triangles are those of other elements than before, so that
-  /// their colours have to be set anew.
+  /// Uploads what differs from the present list: if the mesh only moved, its positions and the
+  /// order of its lines. True if the triangles are those of other elements than before, so that
+  /// their colours must be set again.
   bool upload(DrawList list);
   const DrawList& list() const { return list_; }
 
@@ -32,7 +32,7 @@ class MeshBuffers {
     bool round_caps;
     bool fade;
   };
-  /// Draws with this camera until end(), nearer things above those behind if the list wants it.
+  /// Draws with this camera until end(), with a depth test if the list asks for it.
   void begin(const Camera& camera);
   void end();
   /// color: of elements without colours; null: the surface is not drawn. merged: interior lines

@@ -27,7 +27,7 @@ struct MeshStyle {
   bool operator==(const MeshStyle&) const = default;
 };
 
-/// A mesh ready to be drawn: what takes long, done on whichever thread has the time.
+/// A mesh prepared for drawing, which takes long and can be done on any thread.
 struct PreparedMesh {
   std::shared_ptr<const Topology> topology;
   std::shared_ptr<const EdgeGroups> groups;
@@ -41,11 +41,11 @@ PreparedMesh prepare_mesh(const std::shared_ptr<const Topology>& topology,
                           const Coordinates& coordinates,
                           std::shared_ptr<const EdgeGroups> groups = nullptr);
 
-/// As the renderer takes colours: RGBA, 8 bits each, opaque.
+/// Packs a colour for the renderer: RGBA, 8 bits each, opaque.
 std::uint32_t pack_color(const Rgb& color);
 
-/// Colours of values as the renderer takes them (RGBA, 8 bits each), and how much of each is seen
-/// (opacity: one per value, or none: all is).
+/// Colours of values, packed for the renderer (RGBA, 8 bits each). opacity: one per value; none:
+/// opaque.
 std::vector<std::uint32_t> element_colors(std::span<const double> values, const ColorScale& scale,
                                           std::span<const float> opacity = {});
 
@@ -59,21 +59,21 @@ class MeshRenderer {
   MeshRenderer(const MeshRenderer&) = delete;
   MeshRenderer& operator=(const MeshRenderer&) = delete;
 
-  /// Takes a mesh; cheap if its topology is the one already held.
+  /// Sets the mesh; cheap if its topology is the one already held.
   void set_mesh(const std::shared_ptr<const Topology>& topology, const Coordinates& coordinates);
-  /// Of the mesh that is drawn; null before the first.
+  /// Topology of the mesh held; null before the first.
   const std::shared_ptr<const Topology>& topology() const { return mesh_.topology; }
   void set_mesh(PreparedMesh mesh);
-  /// Of the mesh held; null without one.
+  /// Edge groups of the mesh held; null without one.
   std::shared_ptr<const EdgeGroups> edge_groups() const { return mesh_.groups; }
 
-  /// Grows whenever mesh or colours become others.
+  /// Grows with every change of mesh or colours.
   std::uint64_t revision() const { return revision_; }
 
-  /// One value per element and its scale; none: style.fill_color.
+  /// Colours elements by one value each; none: style.fill_color.
   void set_values(std::span<const double> values, const ColorScale& scale);
-  /// The same with colours of element_colors(), and the opacity of the edges between elements: one
-  /// per element, an edge is as clear as the clearer of its elements; or none.
+  /// The same with colours of element_colors(). opacity: of the edges between elements, one per
+  /// element; an edge has the larger one of its elements; none: opaque.
   void set_colors(std::vector<std::uint32_t> colors, std::vector<float> opacity);
   void clear_values();
   /// Colour of each marker (index into Topology::markers()) and how strongly it is emphasised.
@@ -85,8 +85,8 @@ class MeshRenderer {
   };
   void set_marker_styles(std::vector<MarkerStyle> styles) { marker_styles_ = std::move(styles); }
 
-  /// view: where a mesh is drawn several times in a frame with cameras of its own (a magnifier),
-  /// each keeps what it cut out of the mesh under its own number, 0 or 1.
+  /// view: 0 or 1; the number of the camera where several draw the mesh in a frame (a magnifier).
+  /// Each keeps its own clipped part of the mesh.
   void draw(const Camera& camera, const MeshStyle& style, int framebuffer_height, int view = 0);
 
  private:
@@ -104,16 +104,16 @@ class MeshRenderer {
   std::array<std::unique_ptr<Part>, 2> cuts_;
 };
 
-/// What lies behind a mesh: one colour, or two that run into each other.
+/// The background of a mesh: one colour, or a gradient of two.
 struct BackdropColors {
   Rgba top{1, 1, 1, 1}, bottom{1, 1, 1, 1};
-  /// Lines on it must be light.
+  /// True if lines on it must be light.
   bool dark() const;
   bool operator==(const BackdropColors&) const = default;
 };
 
 /// Fills the camera's part of the bound framebuffer, `framebuffer_height` pixels high. whole: the
-/// view that the camera sees a part of, over all of which the colours run.
+/// view of which the camera sees a part; the gradient spans all of it.
 void draw_backdrop(const Camera& camera, const Camera& whole, const BackdropColors& colors,
                    int framebuffer_height);
 

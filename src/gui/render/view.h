@@ -10,9 +10,9 @@ namespace winslow::gui {
 /// A point of the plane z = 0.
 inline Vec3 place_in_plane(const Vec2& point) { return {point.x(), point.y(), 0}; }
 
-/// From where space is seen. With the z axis up: from azimuth 0 elevation 0 the viewer is on the x
-/// axis, from azimuth 90 on the y axis, from elevation 90 above. With another axis up, x and y are
-/// the two that follow it in turn: z and x where y is up.
+/// The direction from which space is seen. With the z axis up: at azimuth 0 and elevation 0 the
+/// viewer is on the x axis, at azimuth 90 on the y axis, at elevation 90 above. With another axis
+/// up, the two axes that follow it cyclically replace x and y: z and x if y is up.
 struct ViewDirection {
   double azimuth = 0, elevation = 0;  ///< degrees
   int up = 2;                         ///< 0, 1, 2: the x, y or z axis is up on screen
@@ -30,9 +30,9 @@ struct LookedAt {
   bool operator==(const LookedAt&) const = default;
 };
 
-/// How a mesh is seen: which point lies where on screen, and what the mouse changes of that. What
-/// is drawn over a mesh, and what picks in it, knows no more of cameras than this; points are of
-/// three numbers, z = 0 in the plane.
+/// Interface of the cameras: maps points of the mesh to the screen, and changes as the mouse
+/// demands. Overlays and pickers use cameras only through it. Points have three coordinates, z = 0
+/// in the plane.
 ///
 ///     const ScreenPoint at = view.project(point).at;
 ///     view.zoom_about(point, 2);  // the point stays there
@@ -45,32 +45,34 @@ class View {
     double depth = 0;  ///< away from the viewer, in units of the mesh
   };
   virtual Projection project(const Vec3& point) const = 0;
-  /// All points that are seen at a place, the nearest to the viewer first.
+  /// The ray of all points seen at a place of the screen, from the viewer on.
   virtual Ray<3> unproject(const ScreenPoint& at) const = 0;
-  /// What a pixel is wide at a point, in units of the mesh.
+  /// Width of a pixel at a point, in units of the mesh.
   virtual double pixel_size(const Vec3& point) const = 0;
   /// The part of the screen that shows the mesh.
   virtual ScreenBox viewport() const = 0;
   /// The part of the plane z = 0 that is seen.
   virtual Bounds visible() const = 0;
 
-  /// A point at a place of the screen, as deep as another point; of the plane, where that is.
+  /// The point at a place of the screen with the depth of another point; for the plane, the point
+  /// of the plane there.
   virtual Vec3 at_depth_of(const Vec3& point, const ScreenPoint& at) const = 0;
 
   virtual LookedAt looked_at() const = 0;
-  /// Looks there again.
+  /// Restores a view.
   virtual void look_at(const LookedAt& place) = 0;
-  /// What lies at a point moves with the mouse.
+  /// Pans so that what lies at a point moves with the mouse.
   virtual void pan_at(const Vec3& point, const ScreenVector& by) = 0;
   /// factor > 1 zooms in; a point stays where it is on screen.
   virtual void zoom_about(const Vec3& point, double factor) = 0;
-  /// The mouse can turn it: a drag of what nothing can be done with turns it, or else pans.
+  /// True if the mouse can turn the view: a drag that starts on nothing movable then turns it; else
+  /// it pans.
   virtual bool turns() const { return false; }
   /// Turns about a point, which stays where it is on screen. freely: about the axes of the screen,
   /// so that the view may end up on its side; else as a turntable.
   virtual void turn(const Vec3& /*point*/, const ScreenVector& /*by*/, bool /*freely*/) {}
 
-  // Of points of the plane z = 0.
+  // For points of the plane z = 0.
   ScreenPoint to_screen(const Vec2& point) const { return project({point.x(), point.y(), 0}).at; }
   /// Where the ray through a place meets the plane.
   Vec2 to_plane(const ScreenPoint& at) const;
@@ -88,7 +90,7 @@ struct ViewKey {
   bool operator==(const ViewKey&) const = default;
 };
 
-/// The plane, seen from above: what part of it, and where on screen.
+/// Camera for the plane, seen from above.
 class Camera final : public View {
  public:
   void set_viewport(double x, double y, double width, double height);
@@ -99,7 +101,8 @@ class Camera final : public View {
 
   Vec2 centre() const { return centre_; }
   double units_per_pixel() const { return units_per_pixel_; }
-  /// Ignored if not finite or not positive. Stops where neighbouring pixels would be one double.
+  /// Ignored if not finite or not positive. The zoom stops where neighbouring pixels would be the
+  /// same double.
   void look_at(const Vec2& centre, double units_per_pixel);
 
   Vec2 to_world(const ScreenPoint& screen) const;
@@ -114,8 +117,8 @@ class Camera final : public View {
 
   /// Column-major 4x4 matrix to clip space of the viewport, from positions relative to `origin`.
   /// The origin is subtracted in double precision before positions become floats, so that a zoom of
-  /// 1e6 shows no round-off of single precision. What lies above the plane (z > 0) comes nearer, by
-  /// the scale of x.
+  /// 1e6 shows no round-off of single precision. Points above the plane (z > 0) are nearer, at the
+  /// scale of x.
   std::array<float, 16> matrix(const Vec3& origin) const;
 
   using View::pixel_size;
@@ -139,8 +142,8 @@ class Camera final : public View {
   double units_per_pixel_ = 1;
 };
 
-/// What a camera sees of a part of the framebuffer, with the part's corner as (0, 0): its
-/// viewport is cut off to whole pixels, as the renderer draws them. None where the two do not meet.
+/// The camera for a part of the framebuffer, with the part's corner as (0, 0). Its viewport is
+/// clipped to whole pixels, as the renderer draws them. None if viewport and part do not overlap.
 std::optional<Camera> part_of(const Camera& camera, const ScreenBox& part);
 
 }  // namespace winslow::gui

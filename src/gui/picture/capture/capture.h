@@ -12,16 +12,16 @@
 
 namespace winslow::gui {
 
-/// The meshes of a film: those on screen, and between them, where a job moves a body in large
-/// steps, those that meshes_between() puts there.
+/// The meshes of a film: those on screen and, where a job moves a body in large steps, those of
+/// meshes_between() in between.
 class FilmMeshes {
  public:
-  /// Nothing has been shown yet.
+  /// Forgets the last mesh, as if nothing had been shown yet.
   void clear();
-  /// The mesh on screen is the one last taken.
+  /// True if the mesh on screen is the one last collected.
   bool has(const Coordinates& x) const { return taken_.size() == x.size() && taken_ == x; }
-  /// The mesh on screen, the last, and those on the way to it from the one last taken; that alone
-  /// if none is wanted between. All are of the session's topology.
+  /// Collects the mesh on screen, as the last one, after those between it and the one last
+  /// collected. between: false: only the mesh on screen. All are of the session's topology.
   std::vector<Coordinates> collect(const Session& session, bool between = true);
 
  private:
@@ -31,15 +31,15 @@ class FilmMeshes {
   std::vector<std::vector<Index>> moved_;  // nodes of each body that the job under way moves
 };
 
-/// What can be drawn as a picture.
+/// Draws pictures of the window and of the mesh, for Capture.
 class PictureSource {
  public:
   virtual ~PictureSource() = default;
-  /// The window as it is.
+  /// A picture of the window as it is.
   virtual Image picture() = 0;
-  /// Throws UsageError for a size out of range, Error where OpenGL cannot.
+  /// A picture as specified. Throws UsageError for a size out of range, Error if OpenGL fails.
   virtual Image picture(const PictureSpec& spec) = 0;
-  /// The same of the mesh on screen with its nodes elsewhere (#nodes by 2).
+  /// The same with the nodes of the mesh on screen at other places (#nodes by 2).
   virtual Image picture_of(const Coordinates& nodes, const PictureSpec& spec) = 0;
   /// Width and height on screen, pixels, of what a picture shows.
   virtual ScreenVector picture_extent(const PictureSpec& spec) const = 0;
@@ -47,7 +47,8 @@ class PictureSource {
   virtual VectorFigure figure(bool legend) const = 0;
 };
 
-/// Pictures and recordings of the studio: their settings, which are due, which are being written.
+/// Takes pictures and recordings of the studio: holds their settings and those that are due, and
+/// writes them.
 class Capture {
  public:
   explicit Capture(Session& session) : session_(session) {}
@@ -61,7 +62,7 @@ class Capture {
   void after_frame(PictureSource& source);
   /// Collects what the threads have done. True if there is news to show.
   bool poll();
-  /// Something is under way that ends by itself.
+  /// True if something is under way that ends by itself.
   bool busy() const;
 
   /// A name that no picture in the working folder has yet.
@@ -78,7 +79,7 @@ class Capture {
  private:
   struct Due {
     std::filesystem::path path;
-    bool as_set = false;  // by picture_, or the window as it is
+    bool as_set = false;  // as picture_ says; else the window as it is
     int delay = 0;        // frames until menus and dialogs are gone from the picture
   };
   void save_picture(PictureSource& source, const std::filesystem::path& path, bool as_set);
@@ -96,7 +97,7 @@ class Capture {
   RecordingSpec recording_;
   std::optional<Due> due_;
   PictureWriter writer_;
-  Background<std::string> figure_;  // being written; its error
+  Background<std::string> figure_;  // the figure being written; returns its error
   std::filesystem::path figure_path_;
   Recorder recorder_;
   /// A mesh that is to be recorded.

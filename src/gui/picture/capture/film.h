@@ -14,8 +14,8 @@ namespace winslow::gui {
 /// A program of that name in the folders of PATH.
 std::optional<std::filesystem::path> find_program(std::string_view name);
 
-/// Another program, started without a shell and watched without waiting for it. Ended, if it still
-/// runs, when this object goes.
+/// A child process, started without a shell and polled without blocking. The destructor ends it if
+/// it still runs.
 class ChildProcess {
  public:
   /// Runs a program in a folder; its standard input is empty. Throws Error if it cannot be started.
@@ -25,9 +25,9 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Reads what it has said since. True once it has ended.
+  /// Reads its new output. True once it has ended.
   bool poll();
-  /// Exit status, 128 + signal if a signal ended it. After it has ended.
+  /// Exit status, or 128 + signal if a signal ended it. Valid once it has ended.
   int status() const { return status_; }
   const std::string& output() const { return output_; }
   const std::string& errors() const { return errors_; }
@@ -40,43 +40,43 @@ class ChildProcess {
   std::string output_, errors_;
 };
 
-/// What frames are made into: by the ending of a file's name, .mp4 or .gif; none for anything else.
+/// Format of a film by the extension of its file, .mp4 or .gif; none for anything else.
 enum class FilmFormat { mp4, gif };
 std::optional<FilmFormat> film_format(const std::filesystem::path& path);
-/// Throws UsageError for the ending of a film of another format: frames would go to a folder of
-/// that name.
+/// Throws UsageError for the extension of another film format: frames would go to a folder of that
+/// name.
 void check_film_name(const std::filesystem::path& path);
 
 /// Name of the k-th frame, counted from 1: "frame-00001.png".
 std::string frame_name(int k);
 
-/// Frames in a folder being made into a film by ffmpeg, in the background.
+/// Encodes the frames in a folder as a film with ffmpeg, in the background.
 class Film {
  public:
   struct Job {
     std::filesystem::path ffmpeg;  ///< the program
     std::filesystem::path folder;  ///< of the frames
-    std::filesystem::path target;  ///< .mp4 or .gif; replaced when the film is whole
+    std::filesystem::path target;  ///< .mp4 or .gif; replaced when the film is complete
     int frames = 0;
     int rate = 20;  ///< frames a second
   };
   /// Throws Error if ffmpeg cannot be started.
   explicit Film(Job job);
-  /// A film that is not whole is removed.
+  /// Removes an incomplete film.
   ~Film();
   Film(const Film&) = delete;
   Film& operator=(const Film&) = delete;
 
-  /// True once it has ended.
+  /// True once the encoding has ended.
   bool poll();
   /// Share of the frames done, 0 to 1.
   double progress() const;
-  /// What went wrong, empty if nothing did. After it has ended.
+  /// What went wrong, empty if nothing did. Valid once the encoding has ended.
   const std::string& error() const { return error_; }
 
  private:
   Job job_;
-  std::filesystem::path part_;  // the film until it is whole
+  std::filesystem::path part_;  // the film until it is complete
   std::unique_ptr<ChildProcess> process_;
   bool ended_ = false;
   std::string error_;

@@ -23,7 +23,7 @@ class PictureWriter {
 
   /// False if push() would wait.
   bool has_room() const;
-  /// Waits only where there is no room.
+  /// Blocks only if there is no room.
   void push(std::filesystem::path path, Image image, PngEffort effort = PngEffort::normal);
   /// Pictures not yet on disk.
   std::size_t pending() const;
@@ -36,7 +36,7 @@ class PictureWriter {
     std::filesystem::path path;
     std::string error;  ///< empty: written
   };
-  /// What has been done since the last call.
+  /// The outcomes since the last call.
   std::vector<Outcome> take_outcomes();
 
  private:
@@ -56,8 +56,8 @@ class PictureWriter {
   std::thread worker_;  // last: it starts when everything else is there
 };
 
-/// Takes frames, writes them as PNG files, makes a film of them. Knows neither OpenGL nor the
-/// studio; nothing here waits.
+/// Records frames: writes them as PNG files and encodes a film of them. Independent of OpenGL and
+/// of the studio. No function blocks.
 class Recorder {
  public:
   enum class State {
@@ -67,8 +67,9 @@ class Recorder {
     encoding    ///< ffmpeg is at work
   };
 
-  /// Frames go into a folder: `target` itself, or of a film NAME.mp4 or NAME.gif the folder
-  /// NAME-frames beside it. Throws OutputError if it cannot be made. Must be idle.
+  /// Begins a recording. Frames go into the folder `target`, or for a film NAME.mp4 or NAME.gif
+  /// into the folder NAME-frames beside it. Throws OutputError if the folder cannot be made. Must
+  /// be idle.
   void start(const std::filesystem::path& target, const RecordingSpec& spec);
   /// Folder of the frames of a target.
   static std::filesystem::path frames_folder(const std::filesystem::path& target);
@@ -83,15 +84,15 @@ class Recorder {
   /// Share done of what is being written or encoded, 0 to 1.
   double progress() const;
 
-  /// Room for a frame without waiting.
+  /// True if there is room for a frame without blocking.
   bool has_room() const { return writer_ && writer_->has_room(); }
   /// All frames to come have this width and height.
   void fix_size(const std::array<int, 2>& size) { spec_.picture.size = size; }
   void add(Image frame);
   void drop() { ++dropped_; }
-  /// No more frames: the film is made.
+  /// Ends the recording; the film is made of its frames.
   void stop();
-  /// Ends at once; frames and film are removed.
+  /// Ends the recording at once and removes frames and film.
   void cancel();
 
   struct Outcome {
@@ -99,7 +100,7 @@ class Recorder {
     Kind kind = Kind::done;
     std::string text;  ///< what to tell the user
   };
-  /// Goes on with what is to be done. What the recording came to, once.
+  /// Advances writing and encoding. Returns the outcome of the recording once.
   std::optional<Outcome> poll();
 
  private:

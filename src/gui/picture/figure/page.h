@@ -34,7 +34,7 @@ class Page {
   void rectangle(double x, double y, double width, double height);
   void stroke();
   void fill();
-  /// Fills, and draws the rim in the same colour: between neighbours no ground shines through.
+  /// Fills, and draws the rim in the same colour, so that no background shows between neighbours.
   void fill_with_rim(double width);
   /// A picture of pixels, stretched over a rectangle {x, y, width, height}.
   void image(const Image& image, const std::array<double, 4>& rectangle);
@@ -42,13 +42,13 @@ class Page {
   void clip(double x, double y, double width, double height);
   void unclip();
 
-  /// Left end of the line of text, and the height of its middle. Of an SVG it lies above all that
-  /// is drawn, outside of clips, and is text that can be searched and edited, in the font of the
-  /// studio where the reader has it.
+  /// Draws a line of text with its left end at x and its middle at that height. In an SVG, text
+  /// lies above everything else, outside of clips. It can be searched and edited there, and has the
+  /// font of the studio if the reader has it.
   void text(double x, double middle, const std::string& text, double size, FontWeight weight);
   double text_width(const std::string& text, double size, FontWeight weight);
 
-  /// Ends the page: the file's content. Throws Error if cairo failed.
+  /// Ends the page and returns the content of the file. Throws Error if cairo failed.
   std::string finish();
 
  private:
@@ -57,7 +57,7 @@ class Page {
                         FontWeight weight);
 
   PageFormat format_;
-  Rgb color_{0, 0, 0};  // that text is drawn in
+  Rgb color_{0, 0, 0};  // of text
   double alpha_ = 1;
   std::string texts_;  // elements of an SVG
   double width_, height_;
@@ -66,7 +66,7 @@ class Page {
   _cairo* cairo_ = nullptr;
 };
 
-/// Part of a line that lies inside a box; none if it misses it.
+/// Part of a line that lies inside a box; none if the line misses the box.
 std::optional<std::array<ScreenPoint, 2>> clip_line(const ScreenPoint& a, const ScreenPoint& b,
                                                     const ScreenBox& box);
 

@@ -12,7 +12,8 @@
 namespace winslow::gui {
 
 struct FigurePolygon {
-  std::vector<ScreenPoint> corners;  ///< points of the page, from the corner of the mesh's part
+  std::vector<ScreenPoint>
+      corners;  ///< in points, relative to the corner of the mesh's part of the page
   Rgb color{1, 1, 1};
   double alpha = 1;
 };
@@ -26,32 +27,32 @@ struct FigureText {
   std::string text;
 };
 
-/// What is to be seen in space as vector graphics: what is hidden is left out, and what comes later
-/// covers what came before.
+/// The visible parts of a scene in space as vector graphics, in drawing order: later items cover
+/// earlier ones.
 struct FigureScene {
   std::vector<FigurePolygon> polygons;
   std::vector<FigureLine> lines;
-  /// In place of both where there is too much to be seen: pixels for the whole of the mesh's part.
+  /// Replaces polygons and lines if there are too many: pixels for the whole of the mesh's part.
   std::optional<Image> raster;
-  bool wants_raster = false;      ///< there is too much to be seen
+  bool wants_raster = false;      ///< there are too many polygons
   std::vector<FigureLine> marks;  ///< axes and scale
   std::vector<FigureText> texts;
 };
 
-/// Into a part of the page, whose corner is `origin`; what lies outside is cut off.
+/// Draws a scene into the part of the page whose corner is `origin`, clipped to that part.
 void draw_figure_scene(Page& page, const FigureScene& scene, const ScreenPoint& origin,
                        const ScreenVector& size, double font_size, const Rgb& ink);
 
-/// A place of the mesh drawn larger, over a part of it.
+/// A magnified part of the mesh, drawn over the mesh.
 struct FigureInset {
   Camera camera;     ///< its viewport is where the inset goes, as the figure's
   ScreenBox source;  ///< what it magnifies
 };
 
-/// A mesh as vector graphics: what is drawn. Lengths are points, 1/72 of an inch, which stand for
-/// the pixels of the screen.
+/// The content of a figure: a mesh as vector graphics. Lengths are points, 1/72 of an inch, in
+/// place of the pixels of the screen.
 struct VectorFigure {
-  /// What is drawn of a volume mesh, in place of `mesh` and what belongs to it.
+  /// The drawing of a mesh in space; replaces `mesh` and what belongs to it.
   std::shared_ptr<const FigureScene> scene;
   Mesh mesh;
   Camera camera;  ///< its viewport is where the mesh goes; what lies outside is cut off
@@ -80,8 +81,8 @@ struct FigureMargins {
   double left = 0, top = 0, right = 0, bottom = 0;
 };
 FigureMargins figure_margins(const VectorFigure& figure);
-/// A figure that says what a picture of so many pixels would, with its room for the mesh; a pixel
-/// is a point. What is drawn there is the caller's affair.
+/// A figure with the texts and the layout of a picture of that size, one point per pixel. The
+/// caller adds the mesh.
 VectorFigure begin_figure(const PictureText& text, bool dark, int width, int height);
 
 /// Draws the mesh of a figure as a camera sees it into that camera's viewport, which is put at
@@ -96,8 +97,8 @@ void draw_figure_vcvs(Page& page, const VectorFigure& figure, const ScreenPoint&
 
 /// True for .svg and .pdf.
 bool is_vector_format(const std::filesystem::path& path);
-/// Throws UsageError for a name that ends in none of .png, .svg and .pdf: what is written would not
-/// be what its name says.
+/// Throws UsageError for an extension other than .png, .svg and .pdf: the content would not match
+/// it.
 void check_picture_name(const std::filesystem::path& path);
 
 /// Writes a figure as one page of SVG or PDF, by the ending of the file's name, fonts embedded. The

@@ -12,7 +12,7 @@ struct ImFont;
 
 namespace winslow::gui {
 
-/// What stands around the mesh in a picture. Internal to the picture.
+/// Texts around the mesh in a picture. Internal to the picture.
 struct PictureText {
   std::string title;                             ///< top left; empty: none
   std::string warning;                           ///< bottom left, in red; empty: none
@@ -37,13 +37,13 @@ class PictureFrame {
   PictureFrame(const PictureFrame&) = delete;
   PictureFrame& operator=(const PictureFrame&) = delete;
 
-  /// Size of the letters in pixels; lines and margins go with it.
+  /// Size of the letters in pixels; lines and margins scale with it.
   float font_size() const { return font_size_; }
   /// Where the mesh goes: left, top, width, height in pixels.
   const std::array<double, 4>& mesh_area() const { return area_; }
   /// Whether there is room for letters at all.
   bool has_room_for_text() const;
-  /// Draws over the mesh, within its area, with a font for labels.
+  /// Draws over the mesh, within its area; font: for labels.
   using OverMesh = std::function<void(ImDrawList& list, ImFont* font)>;
   /// Draws into the bound framebuffer. framed: a thin line around the mesh's area.
   void draw(bool framed, const OverMesh& over_mesh = {});
@@ -64,7 +64,7 @@ class PictureFrame {
   std::array<double, 4> area_{};
 };
 
-/// What pictures of plane and of volume meshes say in the same words and colours.
+/// Words and colours that pictures of plane and of volume meshes have in common.
 
 /// "12 345 inverted elements"; empty if there are none.
 std::string inverted_text(Index inverted);
@@ -74,12 +74,12 @@ void check_colors(const std::optional<ElementField>& field, const ColorChoice& c
 
 ColorScale picture_colors(const ElementField& field, ColorChoice choice, bool dark,
                           std::span<const double> values);
-/// Has colours take the range and the axis of a scale.
+/// Sets range and axis of `colors` to those of a scale.
 void use_scale(ColorChoice& colors, const ColorScale& scale);
-/// The scale of two pictures that are to be compared: from the lower end to the higher one.
+/// The common scale of two pictures to compare: from the lower end to the higher one.
 ColorScale joined(ColorScale a, const ColorScale& b);
 
-/// with_inverted: there are such elements, which are red.
+/// with_inverted: lists inverted elements, which are red.
 Legend picture_legend(const ElementField& field, std::span<const double> values,
                       const ColorScale& scale, bool with_inverted);
 

@@ -7,19 +7,19 @@
 
 namespace winslow::gui {
 
-/// How a scene becomes vector graphics.
+/// Options for the conversion of a scene to vector graphics.
 struct SceneFigureOptions {
-  double line_scale = 1;  ///< widths of the scene's lines are times this
+  double line_scale = 1;  ///< factor on the widths of the scene's lines
   bool axes = true, scale_bar = true;
-  Rgb ink{0, 0, 0};  ///< of these
+  Rgb ink{0, 0, 0};  ///< of axes and scale bar
   double font_size = 10;
-  /// More than that are better drawn as pixels.
+  /// A larger number is better drawn as pixels.
   std::size_t most_polygons = 60'000;
 };
 
-/// What a camera sees of the parts of a scene, hidden surfaces and lines left out. camera: its
-/// viewport, in points, has its corner at 0. Of too many polygons none, and no lines: it then
-/// wants a raster.
+/// Converts what a camera sees of a scene, without hidden surfaces and lines. camera: its viewport,
+/// in points, has its corner at 0. If there are too many polygons, the result has wants_raster set,
+/// and neither polygons nor lines.
 FigureScene figure_of_scene(std::span<const std::shared_ptr<const SpaceScene>> parts,
                             std::span<const Plane> planes, const SpaceCamera& camera,
                             const SceneFigureOptions& options);
@@ -31,18 +31,18 @@ struct SeenPolygon {
   bool see_through = false;  ///< hides nothing
 };
 
-/// Which of many polygons are seen, and in which order they can be drawn one over the other. They
-/// are sampled on a grid: what lies between samples alone is lost, unless it is small and in the
-/// open.
+/// Finds the visible ones of many polygons, and an order in which to draw them over one another.
+/// They are sampled on a grid: a polygon that lies only between samples is lost, unless it is small
+/// and nothing hides it.
 class HiddenSurface {
  public:
-  /// Of a page of that size, points.
+  /// width, height: of the page, points.
   HiddenSurface(double width, double height, std::span<const SeenPolygon> polygons);
 
-  /// Polygons that are seen, those that others cover before those others.
+  /// The visible polygons; each comes before those that cover it.
   std::vector<std::size_t> order() const;
 
-  /// Parts of a line that nothing hides, as shares of its length from a; slack: of z.
+  /// The visible parts of a line, as shares of its length from a. slack: of z.
   std::vector<std::array<double, 2>> seen_parts(const Vec3& a, const Vec3& b, double slack) const;
 
  private:
@@ -58,7 +58,7 @@ class HiddenSurface {
   void for_samples(const SeenPolygon& polygon, const Visit& visit) const;
   void find_seen();
   bool small_in_the_open(const SeenPolygon& polygon) const;
-  /// The farthest of what is nearest around a place.
+  /// The largest value of depth_ around a place.
   float depth_around(double x, double y) const;
 
   std::span<const SeenPolygon> polygons_;

@@ -25,11 +25,11 @@ class SceneLists {
   };
   void add_edges(const EdgeLists& lists, std::span<const SurfaceFace> faces,
                  double feature_angle) const;
-  /// Sides of polygons: the outline of the section, and the others.
+  /// Adds the sides of polygons: as features the outline of the section, and the others.
   void add_sides(const EdgeLists& lists, const PlaneSection& section) const;
-  /// Edges of the mesh, by their nodes.
+  /// Adds edges of the mesh, given by their nodes.
   void add_lines(SpaceLines& lines, std::span<const Face> edges) const;
-  /// Where a plane goes through faces.
+  /// Adds the intersection of a plane with faces.
   void add_cut(SpaceLines& lines, std::span<const SurfaceFace> faces, const Plane& plane) const;
 
  private:

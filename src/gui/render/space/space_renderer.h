@@ -14,15 +14,13 @@ class SpaceRenderer {
   SpaceRenderer(const SpaceRenderer&) = delete;
   SpaceRenderer& operator=(const SpaceRenderer&) = delete;
 
-  /// A scene in parts, which are drawn in their order; those that it has already are not uploaded
-  /// again. planes: by which all of them are clipped, at most most_clip_planes; those of the parts
-  /// are not looked at.
+  /// Sets a scene in parts, drawn in this order; parts already held are not uploaded again. planes:
+  /// clip all parts, at most most_clip_planes; the planes of the parts are ignored.
   void set_parts(const std::vector<std::shared_ptr<const SpaceScene>>& parts,
                  const std::vector<Plane>& planes);
   void set_scene(const SpaceScene& scene);
-  /// Border lines of markers with a tint are thick.
-  /// Colours towards which the surfaces of markers are tinted, as far as their alpha says
-  /// (#markers; those left out are not).
+  /// Sets the colours towards which the surfaces of markers are tinted, by their alpha (#markers;
+  /// those left out are not). Border lines of markers with a tint are thick.
   void set_tints(std::vector<Rgba> tints);
   /// Clears the depth of the camera's viewport and draws there. The camera's content should be the
   /// scene's extent.

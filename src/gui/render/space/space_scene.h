@@ -9,11 +9,11 @@ namespace winslow::gui {
 
 /// Most planes by which a scene is clipped.
 inline constexpr std::size_t most_clip_planes = 6;
-/// Of what all planes clip, however many there are.
+/// Value of clipped_by for what all planes clip, however many there are.
 inline constexpr unsigned by_all_planes = std::numeric_limits<unsigned>::max();
 
-/// A corner of a triangle as the graphics card wants it: single precision, relative to the scene's
-/// origin.
+/// A corner of a triangle in the form that the graphics card needs: single precision, relative to
+/// the scene's origin.
 struct SpaceCorner {
   std::array<float, 3> position, normal;  ///< the normal of either side, of length 1
   std::uint32_t rgba;
@@ -22,12 +22,12 @@ struct SpaceCorner {
 /// Triangles that are drawn in one way; 3 corners each.
 struct SpaceFill {
   std::vector<SpaceCorner> corners;
-  std::vector<Index> elements;  ///< of each triangle, for who asks what lies under the mouse
+  std::vector<Index> elements;  ///< one per triangle, for picking with the mouse
   Index marker = -1;            ///< of all of them; -1: none, or several
-  /// How much the light tells of the form: 0, colours are as given, to 1.
+  /// Strength of the shading by the light, from 0 (colours as given) to 1.
   float shading = 0;
-  float opacity = 1;  ///< of what is see-through only the nearest layer is drawn
-  /// Lies above what is in the same place, and is seen faintly through what hides it.
+  float opacity = 1;  ///< below 1, only the nearest layer is drawn
+  /// Drawn above what is in the same place, and faintly through what hides it.
   bool emphasised = false;
   /// Bit k: what lies in front of the scene's plane k is left out, if it has that many.
   unsigned clipped_by = 0;
@@ -45,11 +45,11 @@ struct SpaceLines {
   Rgba color{0, 0, 0, 1};
   float width = 1;  ///< pixels
   unsigned clipped_by = 0;
-  Index marker = -1;  ///< that they are the border line of; -1: of none
+  Index marker = -1;  ///< whose border line they are; -1: of none
 };
 
-/// What is to be seen in space, in the order in which it is drawn: fills, then lines; what lies
-/// nearer to the viewer hides what is behind it. Knows no OpenGL.
+/// A scene in space, in drawing order: fills, then lines; nearer items hide those behind them.
+/// Independent of OpenGL.
 struct SpaceScene {
   Vec3 origin{0, 0, 0};
   Box<3> extent{};
@@ -57,13 +57,13 @@ struct SpaceScene {
   std::vector<SpaceFill> fills;
   std::vector<SpaceLines> lines;
 
-  /// Where a corner or an end is in the mesh.
+  /// Position in the mesh of a corner or an end.
   Vec3 place_of(const std::array<float, 3>& position) const {
     return origin + Eigen::Vector3f(position.data()).cast<double>();
   }
 };
 
-/// What is seen at a place.
+/// The visible point at a place of the screen.
 struct SpaceHit {
   Vec3 point{0, 0, 0};
   Vec3 normal{0, 0, 1};  ///< of length 1, towards the viewer
@@ -71,8 +71,8 @@ struct SpaceHit {
   Index marker = -1;     ///< of the boundary; -1: none, or a cut through the mesh
 };
 
-/// The nearest triangle that a ray hits, of scenes that are clipped by these planes: what is drawn
-/// is what can be hit. See-through surfaces are passed through.
+/// The nearest hit of a ray with triangles of scenes clipped by these planes: only what is drawn
+/// can be hit. The ray passes through see-through surfaces.
 std::optional<SpaceHit> pick_in_scene(std::span<const std::shared_ptr<const SpaceScene>> parts,
                                       std::span<const Plane> planes, const Ray<3>& ray);
 
@@ -82,12 +82,12 @@ struct DeepPlace {
   double depth = 0;
   bool hidden = false;
 };
-/// Marks places that a triangle of the picture hides: one over the place that lies nearer to the
-/// viewer and is neither see-through nor cut away.
+/// Marks places that a triangle of the picture hides: it lies nearer to the viewer and is neither
+/// see-through nor cut away.
 void hide_behind(const View& view, std::span<const std::shared_ptr<const SpaceScene>> parts,
                  std::span<const Plane> planes, std::span<DeepPlace> places);
 
-/// Some of these planes (those whose bits are set in `by`) take the point away.
+/// True if one of these planes (those whose bits are set in `by`) cuts the point away.
 bool cut_away(const Vec3& point, unsigned by, std::span<const Plane> planes);
 
 /// A triangle of a fill on screen.

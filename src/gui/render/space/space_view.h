@@ -8,16 +8,17 @@
 
 namespace winslow::gui {
 
-/// Of length 1, towards the viewer.
+/// Unit vector towards the viewer.
 Vec3 to_viewer(const ViewDirection& direction);
-/// From where a vector, of any length but 0, points to the viewer. From above or below, x is to the
-/// right where z is up.
+/// The direction for which a vector, of any length but 0, points to the viewer. From above or
+/// below, x is to the right if z is up.
 ViewDirection direction_towards(const Vec3& viewer, int up);
-/// That of a camera whose screen has these axes, to the right and towards the viewer, of length 1.
+/// The direction of a camera whose screen has these axes, to the right and towards the viewer, of
+/// length 1.
 ViewDirection direction_of(const Vec3& right, const Vec3& back, int up);
 
-/// How space is seen: parallel or in perspective, and where on screen. The mouse turns it as a
-/// turntable, on which the axis that is up stays upright, or freely.
+/// Camera for meshes in space, parallel or in perspective. The mouse turns it freely, or as a
+/// turntable on which the up axis stays upright.
 class SpaceCamera final : public View {
  public:
   void set_viewport(double x, double y, double width, double height);
@@ -26,10 +27,10 @@ class SpaceCamera final : public View {
   /// What is in the middle of the viewport stays there.
   void look_from(const ViewDirection& direction);
   const ViewDirection& direction() const { return direction_; }
-  /// A point stays where it is on screen.
+  /// The pivot stays where it is on screen.
   void look_from(const ViewDirection& direction, const Vec3& pivot);
-  /// Full angle of the height of what is seen, degrees below 180; 0: parallel. The size of what
-  /// lies at the centre stays.
+  /// Sets the vertical field of view, degrees below 180; 0: parallel. The size of what lies at the
+  /// centre stays.
   void set_perspective(double angle) { angle_ = angle; }
   bool in_perspective() const { return angle_ > 0; }
 
@@ -40,7 +41,7 @@ class SpaceCamera final : public View {
   void look_at(const Vec3& centre, double units_per_pixel);
   /// Shows all points, with a margin (share of the viewport) on each side.
   void fit(std::span<const Vec3> points, double margin = 0.05);
-  /// What is drawn lies in this box: distances beyond it need not be told apart.
+  /// Sets the box in which everything drawn lies: depths beyond it need not be resolved.
   void set_content(const Box<3>& content) { content_ = content; }
 
   /// Axes of the screen, of length 1: to the right, up, towards the viewer.
@@ -51,7 +52,7 @@ class SpaceCamera final : public View {
   Projection project(const Vec3& point) const override;
   Ray<3> unproject(const ScreenPoint& at) const override;
   double pixel_size(const Vec3& point) const override;
-  /// Nothing of the plane z = 0 is meant here: empty.
+  /// Empty: the plane z = 0 has no special meaning here.
   Bounds visible() const override { return Bounds::empty(); }
 
   Vec3 at_depth_of(const Vec3& point, const ScreenPoint& at) const override;
@@ -67,8 +68,8 @@ class SpaceCamera final : public View {
   /// which is subtracted in double precision. w is 1 at the centre: the ratio of a point's distance
   /// from the viewer to the centre's, 1 everywhere where the view is parallel.
   std::array<float, 16> matrix(const Vec3& origin) const;
-  /// By what depth, -1 to 1 from the nearest to the furthest, changes over the size of a pixel
-  /// towards the viewer: the first number, and the second times the depth itself.
+  /// Change of the depth, -1 (nearest) to 1 (furthest), over the size of a pixel towards the
+  /// viewer: the first number, plus the second times the depth itself.
   std::array<double, 2> pixel_depth() const;
   bool operator==(const SpaceCamera& other) const {
     return viewport() == other.viewport() && looked_at() == other.looked_at() &&
@@ -78,11 +79,12 @@ class SpaceCamera final : public View {
   Vec3 viewer() const { return centre_ + distance() * back_; }
 
  private:
-  /// Of the viewer from the centre; infinite where the view is parallel.
+  /// Distance of the viewer from the centre; infinite if the view is parallel.
   double distance() const;
-  /// Heights above the centre, towards the viewer, between which lies what is drawn.
+  /// Range of what is drawn, as heights above the centre towards the viewer.
   std::array<double, 2> depth_range() const;
-  /// Clip coordinate z of a height above the centre: the first number times it, plus the second.
+  /// Clip coordinate z as a function of the height above the centre: the first number times the
+  /// height, plus the second.
   std::array<double, 2> depth_row() const;
 
   double x_ = 0, y_ = 0, width_ = 1, height_ = 1;
@@ -98,20 +100,20 @@ class SpaceCamera final : public View {
 
 /// "iso", "+x", "-x", ...: names of directions to look from.
 const std::vector<std::string>& view_names();
-/// Throws UsageError listing the names.
+/// The direction of a name. Throws UsageError, listing the names, for an unknown one.
 ViewDirection named_view(const std::string& name, int up = 2);
 
-/// Where one looks from unless told: onto a cut from its front, or three quarters from ahead.
+/// The default direction: onto a cut from its front, or three quarters from ahead.
 ViewDirection automatic_view(const std::vector<Plane>& cuts, int up = 2);
-/// The cut that one sees unless told: through the middle of the bodies, at right angles to
-/// the axis that points to the viewer most. None where nothing encloses bodies.
+/// The default cut: through the middle of the bodies, at right angles to the axis that points to
+/// the viewer most. None if nothing encloses bodies.
 std::vector<Plane> automatic_cuts(const Mesh& mesh, const VolumeBoundary& boundary,
                                   const ViewDirection& view);
 
 /// The eight corners of a box, for SpaceCamera::fit().
 std::vector<Vec3> corners_of(const Box<3>& box);
 
-/// Two meshes side by side in a view: where each is seen.
+/// The places of two meshes side by side in a view.
 struct SideBySide {
   ScreenBox before, now;
 };
@@ -120,7 +122,7 @@ inline SideBySide side_by_side(const ScreenBox& whole, double divider) {
   const double middle = whole.min.x() + divider * whole.size().x();
   return {{whole.min, {middle, whole.max.y()}}, {{middle, whole.min.y()}, whole.max}};
 }
-/// The view of which the mesh now has its part.
+/// The whole view, from the part of it that the mesh now has.
 inline ScreenBox whole_of(const ScreenBox& now, double divider) {
   return {{now.max.x() - now.size().x() / (1 - divider), now.min.y()}, now.max};
 }

@@ -5,8 +5,8 @@
 
 namespace winslow::gui {
 
-/// A solid of a few triangles for a draw list, which knows no depth: its triangles in the order in
-/// which they are to be painted, its lines cut where triangles hide them.
+/// Prepares a solid of a few triangles for a draw list, which has no depth buffer: sorts triangles
+/// into the order of painting, and splits lines where triangles hide them.
 class StarSketch {
  public:
   struct Face {
@@ -20,16 +20,16 @@ class StarSketch {
     bool hidden = false;
   };
 
-  /// triangles: counter-clockwise seen from outside. Each pair is compared with the other: meant
-  /// for up to some hundred.
+  /// triangles: counter-clockwise seen from outside. All pairs are compared: meant for up to some
+  /// hundred.
   StarSketch(const SpaceCamera& camera, std::span<const Vec3> points,
              std::span<const std::array<Index, 3>> triangles);
 
-  /// The furthest first: of two that overlap on screen, what lies behind comes before.
+  /// The furthest first: of two that overlap on screen, the one behind comes first.
   const std::vector<Face>& faces() const { return faces_; }
-  /// A line in visible and hidden pieces, from a to b.
+  /// Splits a line into visible and hidden pieces, from a to b.
   std::vector<Piece> cut(const Vec3& a, const Vec3& b) const;
-  /// A triangle lies in front of the point.
+  /// True if a triangle lies in front of the point.
   bool hides(const Vec3& point) const;
 
  private:

@@ -10,8 +10,8 @@
 
 namespace winslow::gui {
 
-/// The boundary of a volume mesh, or all of a surface mesh, which is looked for once: it depends
-/// neither on cuts nor on colours.
+/// The boundary of a volume mesh, or all of a surface mesh, found once since it depends neither on
+/// cuts nor on colours.
 struct VolumeBoundary {
   std::vector<SurfaceFace> faces;
   std::vector<unsigned char> enclosing;  ///< per face; see enclosing_faces()
@@ -23,25 +23,26 @@ VolumeBoundary find_boundary(const Mesh& mesh);
 /// mesh as a surface.
 enum class MarkerShow { automatic, surface, outline, see_through, hidden };
 
-/// What is shown of a mesh in space. Spans and pointers may be empty: nothing of the kind.
+/// What is shown of a mesh in space. An empty span or a null pointer stands for nothing of its
+/// kind.
 struct VolumeLook {
-  /// What lies in front of any of these planes is taken away; bodies stay whole where something
-  /// encloses them.
+  /// What lies in front of any of these planes is cut away; bodies stay whole if something encloses
+  /// them.
   std::vector<Plane> cuts;
   bool crinkle = false;  ///< cuts leave whole elements
-  /// Whole elements that alone are shown, beside bodies and outlines (#elements); cuts are left
-  /// out.
+  /// Elements that are shown whole and alone, with bodies and outlines (#elements); cuts are left
+  /// out then.
   std::span<const unsigned char> isolated;
   /// Elements that are red wherever they are (#elements).
   std::span<const unsigned char> inverted;
-  /// Elements that are seen through what hides them, in a colour of their own (#elements).
+  /// Elements shown through what hides them, in a colour of their own (#elements).
   std::span<const unsigned char> worst;
-  /// Of elements (#elements), packed as element_colors() does; on cuts and single elements, and on
-  /// the boundary unless bodies stand beside a cut.
+  /// Colours of elements (#elements), packed as by element_colors(): on cuts and single elements,
+  /// and on the boundary unless bodies stand beside a cut.
   std::span<const std::uint32_t> colors;
-  /// What a crinkled cut leaves (#elements), where it is known: elements_behind().
+  /// Elements that a crinkled cut leaves (#elements), if known: elements_behind().
   std::span<const unsigned char> left;
-  /// Of the mesh, where many cuts are wanted of it.
+  /// Index of the mesh, if many cuts of it are wanted.
   const SectionIndex* sections = nullptr;
   std::vector<MarkerShow> markers;    ///< per marker; those left out are automatic
   std::vector<float> marker_opacity;  ///< per marker, of see-through ones; else the style's
@@ -66,9 +67,9 @@ struct VolumeStyle {
   bool operator==(const VolumeStyle&) const = default;
 };
 
-/// A part of a scene, which can be made by itself. What the scene's cuts have to do with it:
-/// whole elements and the boundary of a solid mesh depend on crinkled cuts, a section on its own
-/// plane, the rest on none.
+/// A part of a scene that can be built separately. Its dependence on the scene's cuts: whole
+/// elements and the boundary of a solid mesh depend on crinkled cuts, a section on its own plane,
+/// the rest on none.
 struct VolumePart {
   enum class Kind { elements, section, boundary, worst, inverted };
   Kind kind = Kind::boundary;
@@ -76,37 +77,38 @@ struct VolumePart {
 
   auto operator<=>(const VolumePart&) const = default;
 };
-/// Per element 1 if it is turned over, else 0. normals: of a surface mesh, which side is right.
+/// Per element 1 if it is turned over, else 0. normals: of a surface mesh, towards its correct
+/// side.
 std::vector<unsigned char> inverted_elements(const Mesh& mesh, std::span<const Vec3> normals);
-/// Per element 1 if it is of these layers (of each element: `layers`), and of those that a look
-/// isolates and its cuts leave; else 0.
+/// Per element 1 if it is of these layers (`layers`: of each element), the look isolates it, and
+/// the look's cuts leave it; else 0.
 std::vector<unsigned char> peeled_elements(const Mesh& mesh, const VolumeLook& look,
                                            std::span<const Index> layers,
                                            const std::array<Index, 2>& range);
 
-/// In the order in which they are drawn.
+/// The parts of a scene, in drawing order.
 std::vector<VolumePart> parts_of(const VolumeLook& look);
-/// Without planes: those of look.cuts clip a scene of flat cuts.
+/// Builds a part. It has no planes: those of look.cuts clip a scene of flat cuts.
 SpaceScene build_part(const Mesh& mesh, const VolumeBoundary& boundary, const VolumeLook& look,
                       const VolumeStyle& style, const VolumePart& part);
 /// The planes that clip the parts: those of flat cuts.
 std::vector<Plane> clip_planes_of(const VolumeLook& look);
-/// A face of the boundary is drawn as a surface, see-through or not.
+/// True if a face of the boundary is drawn as a surface, see-through or not.
 bool drawn_as_surface(const VolumeBoundary& boundary, const VolumeLook& look, std::size_t face);
-/// Colours of elements show on the boundary, too.
+/// True if colours of elements show on the boundary, too.
 bool boundary_has_values(const VolumeBoundary& boundary, const VolumeLook& look);
 
-/// All parts in one. Throws UsageError for more than most_clip_planes cuts.
+/// Builds all parts as one scene. Throws UsageError for more than most_clip_planes cuts.
 SpaceScene build_scene(const Mesh& mesh, const VolumeBoundary& boundary, const VolumeLook& look,
                        const VolumeStyle& style);
 
-/// Whether the surface of a marker is to be seen in such a scene, and has the marker's colour: what
-/// a key of colours lists (#markers).
+/// Per marker 1 if its surface is visible in such a scene and has the marker's colour, so that a
+/// key of colours lists it (#markers).
 std::vector<unsigned char> markers_in_color(const Mesh& mesh, const VolumeBoundary& boundary,
                                             const VolumeLook& look);
 
-/// The bodies of a mesh as lines alone, to be laid over another state of it: their edges, those
-/// that show the form more strongly, and where cuts go through them.
+/// Builds the bodies of a mesh as lines alone, to overlay another state of the mesh: their edges,
+/// feature edges more strongly, and their intersections with cuts.
 SpaceScene build_ghost(const Mesh& mesh, const VolumeBoundary& boundary, const VolumeLook& look,
                        const VolumeStyle& style);
 

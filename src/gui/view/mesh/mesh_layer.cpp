@@ -8,7 +8,8 @@ namespace winslow::gui {
 
 namespace {
 
-/// Below this a mesh is prepared faster than a thread could hand it over: a millisecond or two.
+/// A mesh with fewer nodes is prepared faster, in a millisecond or two, than a thread could hand it
+/// over.
 constexpr Index small_mesh = 12000;  // nodes
 
 }  // namespace
@@ -89,8 +90,8 @@ bool MeshLayer::poll() {
 }
 
 void MeshLayer::adopt(Built built) {
-  if (built.generation != generation_) return;  // of a mesh that is gone
-  // Colours of other elements are gone with the elements.
+  if (built.generation != generation_) return;  // made for a mesh that is no longer open
+  // The colours belong to the previous elements.
   if (renderer_.topology() != built.mesh.topology) {
     painted_.reset();
     legend_.reset();
@@ -122,7 +123,7 @@ void BeforeMesh::update(const LiveMesh& mesh, const ViewOptions& view) {
   const MeshState& state = document_->history().state(position);
   const Coordinates& now = state.mesh.coordinates;
   loaded_ = position == 0;
-  // The history moves its steps about, but not the numbers that they hold.
+  // The history moves its steps in memory, but not the arrays that they hold.
   const void* key = now.values().data();
   if (key != key_) ++shape_;
   key_ = key;
@@ -130,7 +131,7 @@ void BeforeMesh::update(const LiveMesh& mesh, const ViewOptions& view) {
   topology_ = state.mesh.topology;
   const bool values = view.comparison == Comparison::split && view.color;
   if (loaded_ && !values) return;
-  // Compared with itself: nothing has changed yet.
+  // The mesh before is the present one: nothing has changed yet.
   const QualityMonitor::Wish wish{values ? view.color : std::nullopt, &now, document_->given()};
   if (!monitor_.wants(shape_, wish, false)) return;
   monitor_.request(

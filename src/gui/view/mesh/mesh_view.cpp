@@ -41,7 +41,7 @@ void MeshView::update(const Session& session, const BeforeMesh& before, const Vi
     before_.update(before.topology(), *before.coordinates(), session.generation(), before.shape());
     ViewOptions of_before = view;
     if (comparison_ == Comparison::ghost) of_before.color.reset();
-    // The same colour is the same value on both sides.
+    // The same colour means the same value on both sides.
     if (now_.legend()) {
       const ColorScale& scale = now_.legend()->scale;
       of_before.range = {{scale.low, scale.high}};
@@ -92,7 +92,7 @@ void MeshView::draw(const Camera& camera, const Camera* whole, int height) {
   if (!now_.has_mesh()) return;
   if (comparison_ == Comparison::split && before_.has_mesh()) return draw_split(camera, height);
   now_.renderer().draw(camera, style_, height);
-  // Over the surfaces, which would hide it; its colour keeps it apart from the present edges.
+  // Drawn over the surfaces, which would hide it; its colour sets it apart from the present edges.
   if (comparison_ == Comparison::ghost && before_.has_mesh())
     before_.renderer().draw(camera, ghost_, height);
 }
@@ -111,8 +111,8 @@ void MeshView::draw_kept(const Camera& camera, int width, int height) {
     kept_.clear();
     return draw(camera, &camera, height);
   }
-  // The markers, which light up under the mouse, are drawn over the picture where nothing of it
-  // lies above them.
+  // Markers light up under the mouse. If nothing of the picture lies above them, they are drawn
+  // over it, so that it need not be redrawn.
   const bool markers_apart = comparison_ == Comparison::none && style_.node_size <= 0;
   const bool markers = style_.markers;
   style_.markers = markers && !markers_apart;

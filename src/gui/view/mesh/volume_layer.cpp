@@ -12,9 +12,9 @@ namespace winslow::gui {
 
 namespace {
 
-/// Below this a scene is made within a frame, faster than a thread could hand it over.
+/// A scene of fewer nodes is made within a frame, faster than a thread could hand it over.
 constexpr Index small_volume = 1500;  // nodes
-/// From here on an index of sections is worth its making.
+/// From this size on, an index of sections pays.
 constexpr Index large_volume = 20000;  // elements
 
 }  // namespace
@@ -32,15 +32,15 @@ struct VolumeScenes::Memory {
     std::optional<Legend> legend;
   };
 
-  /// What a part depends on beside the wish's look, which all of them do.
+  /// What a part depends on, besides the look of the wish, on which all parts depend.
   struct PartKey {
     VolumePart part;
-    const void* mesh = nullptr;         // of parts within
+    const void* mesh = nullptr;         // of parts inside the mesh
     std::uint64_t boundary_places = 0;  // of the boundary
     const void* painted = nullptr;
-    const void* flags = nullptr;     // of the elements that it has
+    const void* flags = nullptr;     // of the elements of the part
     const void* inverted = nullptr;  // those that are red in it
-    bool isolated = false;           // surfaces of a solid mesh give way to outlines
+    bool isolated = false;           // outlines replace the surfaces of a solid mesh
     std::optional<CutPlane> cut;
     bool operator==(const PartKey&) const = default;
   };
@@ -104,7 +104,7 @@ std::shared_ptr<const Painted> paint(const VolumeWish& wish, bool any_inverted) 
   return painted;
 }
 
-/// Makes one picture, with what the last one has.
+/// Makes one picture, and reuses what it can of the last one.
 class SceneMaker {
  public:
   SceneMaker(VolumeWish wish, std::shared_ptr<const VolumeScenes> last)
@@ -195,8 +195,8 @@ class SceneMaker {
     choose_sections();
   }
 
-  /// An index pays where a mesh is cut again: it is made when a mesh is opened and, when nodes have
-  /// moved, with the second picture of where they are.
+  /// An index pays if a mesh is cut repeatedly. It is made when a mesh is opened and, when nodes
+  /// have moved, with the second picture of the moved mesh.
   void choose_sections() {
     if (wish_.mesh->topology->element_count() < large_volume) return;
     const bool same_topology = before_ && last_->of.mesh->topology == wish_.mesh->topology;
@@ -226,7 +226,7 @@ class SceneMaker {
     look_.edges = wish_.edges;
   }
 
-  /// Elements of some layers below a marker, of those that are isolated and lie behind all cuts.
+  /// Finds the elements of some layers below a marker that are isolated and lie behind all cuts.
   void choose_peeled() {
     const Topology& topology = *wish_.mesh->topology;
     const Peel& peel = wish_.peel;
@@ -253,7 +253,7 @@ class SceneMaker {
     look_.left = *memory_->left;
   }
 
-  /// Elements that are seen through what hides them.
+  /// Sets the elements shown through what hides them.
   void choose_marked() {
     if (wish_.mark_inverted && any_inverted_) look_.inverted = *memory_->inverted;
     if (wish_.worst.empty()) return;
@@ -293,7 +293,7 @@ class SceneMaker {
         break;
       case VolumePart::Kind::boundary:
         key.boundary_places = memory_->boundary_places;
-        // Whole elements have sides on the outlines of what encloses.
+        // Whole elements have faces on the outlines of the enclosure.
         key.flags = memory_->left.get();
         if (key.flags != nullptr || boundary_has_values(*wish_.boundary, look_))
           key.painted = memory_->painted.get();

@@ -17,7 +17,7 @@ VolumeStyle volume_style(const ViewOptions& view, float scale) {
   const MeshColors colors = mesh_colors(view);
   const BackdropColors ground = backdrop_colors(view);
   VolumeStyle style;
-  // Edges alone: surfaces have the colour of the ground, and hide the edges behind them.
+  // With edges alone, surfaces have the colour of the background, and hide the edges behind them.
   style.fill = view.fill ? colors.fill : mixed(ground.top, ground.bottom, 0.5f);
   style.edge = colors.edge;
   style.edge[3] *= 0.8f;
@@ -31,7 +31,7 @@ VolumeStyle volume_style(const ViewOptions& view, float scale) {
   return style;
 }
 
-/// Of surfaces: paler than that of lines, so that edges are seen on them.
+/// Colour of surfaces: paler than that of lines, so that edges stay visible on them.
 Rgb surface_color(const ViewOptions& view, const VolumeStyle& style, const std::string& name,
                   Index marker) {
   if (!view.fill) return {style.fill[0], style.fill[1], style.fill[2]};
@@ -54,7 +54,7 @@ bool usable(const CutPlane& cut) {
   return cut.on && Vec3(cut.point.data()).allFinite() && normal.allFinite() && normal.norm() > 0;
 }
 
-/// The viewport for what takes the plane's camera for it.
+/// The viewport as a camera of the plane, for functions that need one.
 Camera viewport_of(const ScreenBox& box) {
   Camera camera;
   camera.set_viewport(box.min.x(), box.min.y(), box.size().x(), box.size().y());
@@ -69,7 +69,7 @@ VolumeWish VolumeView::wish_of(const Session& session, const ViewOptions& view, 
   wish.shape = shape_;
   wish.mesh = mesh_;
   wish.boundary = session.document()->boundary();
-  // Until the field that is asked for is measured, the colours stay what they are.
+  // Until the requested field is measured, the colours stay.
   const auto& latest = session.quality().latest();
   if (!view.color)
     measured_.reset();
@@ -148,7 +148,7 @@ void VolumeView::compare(const Session& session, const BeforeMesh& before, Volum
   if (measured && measured->field && measured_ && measured->field == measured_->field &&
       !measured->values.empty())
     wish.measured = measured;
-  // The same colour is the same value on both sides.
+  // The same colour means the same value on both sides.
   if (const auto& legend = this->legend()) {
     wish.colors.range = {{legend->scale.low, legend->scale.high}};
     wish.colors.axis = legend->scale.logarithmic ? ColorAxis::logarithmic : ColorAxis::linear;
@@ -175,7 +175,7 @@ void VolumeView::clear() {
   kept_.clear();
 }
 
-/// What is selected, and what lies under the mouse in the list or in the picture.
+/// Tints the selection, and what lies under the mouse in the list or in the picture.
 void VolumeView::choose_tints(const Session& session) {
   constexpr Rgba accent{0.16f, 0.45f, 0.95f, 0};
   tints_.assign(session.topology()->markers().size(), accent);
@@ -226,7 +226,7 @@ void VolumeView::draw_now(const SpaceCamera& camera, int height) {
   renderer_.draw(seen, height);
 }
 
-/// By the same camera, in the other part of the view.
+/// Draws with the same camera in the other part of the view.
 void VolumeView::draw_before(SpaceCamera camera, const ScreenBox& whole, int height) {
   const VolumeScenes* scenes = before_layer_.scenes();
   if (!scenes || scenes->of.ghost) return;

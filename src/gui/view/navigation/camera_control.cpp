@@ -6,7 +6,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// Box around an item of the open mesh and what touches it; in the plane z = 0.
+/// Box around an item of the open mesh and what touches the item; in the plane z = 0.
 Box<3> surroundings(const MeshItem& item, const Session& session) {
   const Topology& topology = *session.topology();
   const Coordinates& x = session.coordinates();
@@ -20,7 +20,7 @@ Box<3> surroundings(const MeshItem& item, const Session& session) {
   const Vec3 p = place_of(x, item.id);
   add(topology.neighbours(item.id));
   if (topology.neighbours(item.id).empty()) return {p, p};
-  // The node itself in the middle, whatever lies on one side of it.
+  // The node itself stays in the middle, even if its neighbours lie on one side.
   const Vec3 half = (box.max - p).cwiseAbs().cwiseMax((p - box.min).cwiseAbs());
   return {p - half, p + half};
 }
@@ -98,7 +98,7 @@ void PlaneControl::look_around(const Vec3& point, double radius) {
   view_.fit({middle - half, middle + half});
 }
 
-/// Of all holes.
+/// The nodes of all holes.
 std::vector<Index> PlaneControl::body_nodes() const {
   std::vector<Index> nodes;
   if (!session_.mesh().boundary()) return nodes;

@@ -14,12 +14,12 @@ namespace winslow::gui {
 
 namespace {
 
-/// What is said of meshes of one kind.
+/// Texts for meshes of one kind.
 struct ItemWords {
-  const char* expected;  ///< as the name of an item
+  const char* expected;  ///< names of items, for the error message
   const char* sides;     ///< of an element that lie on markers
   const char* quality;   ///< normalized Jacobian
-  bool faces = false;    ///< they have numbers
+  bool faces = false;    ///< faces have numbers
 };
 
 const ItemWords& item_words(MeshKind kind) {
@@ -47,7 +47,7 @@ std::optional<long long> whole_number(const std::string& text) {
   return value;
 }
 
-/// With as many numbers as the mesh has coordinates; z = 0 in the plane.
+/// Point with as many numbers as the mesh has coordinates; z = 0 in the plane.
 std::optional<Vec3> point_of(const std::string& text, int dimension) {
   Vec3 p(0, 0, 0);
   int end = 0;
@@ -158,7 +158,7 @@ Vec3 middle_of(const SpacePoints& x, std::span<const Index> nodes) {
   return sum / static_cast<double>(nodes.size());
 }
 
-/// What separates an element from its neighbours: faces of a volume element, edges of another.
+/// Sides between an element and its neighbours: faces of a volume element, else edges.
 std::vector<Face> sides_of(const Topology& topology, Index e) {
   std::vector<Face> sides;
   for (const Face& face : shape_of(topology.element_type(e)).faces)
@@ -166,7 +166,7 @@ std::vector<Face> sides_of(const Topology& topology, Index e) {
   return sides;
 }
 
-/// Of an element in space: where it is, and what lies beyond its sides.
+/// Adds where an element in space is, and what lies beyond its sides.
 void add_surroundings(Lines& lines, Index e, const Mesh& mesh) {
   const Topology& topology = *mesh.topology;
   std::string neighbours, markers;
@@ -204,7 +204,7 @@ Lines describe_face(Index f, const Session& session) {
   return lines;
 }
 
-/// The worst element at a node.
+/// Adds the worst element at a node.
 void add_worst_around(Lines& lines, Index i, const Session& session) {
   const auto shared = session.mesh().shared();
   const Mesh& mesh = *shared;

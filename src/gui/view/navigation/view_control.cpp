@@ -8,7 +8,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// The same metric of elements of such a mesh, or the one that all have.
+/// Replaces a field by the same metric for meshes of a kind, or by the one that all kinds have.
 void suit_field(std::optional<ElementField>& field, MeshKind kind) {
   const std::vector<ElementField>& all = all_element_fields(kind);
   if (!field || std::ranges::find(all, *field) != all.end()) return;
@@ -23,7 +23,7 @@ void suit_fields(ViewOptions& options, MeshKind kind) {
   suit_field(options.color, kind);
   suit_field(options.worst_by, kind);
   if (!options.color || options.color == before) return;
-  // What was chosen for the values of the other.
+  // These were chosen for the values of the previous field.
   options.range.reset();
   options.isolation = isolation_for(*options.color);
 }
@@ -48,7 +48,7 @@ bool ViewControl::look_at_another() {
   state_ = ViewState();
   state_.columns = columns;
   options_.magnifier.pin.reset();
-  // What is hidden of one mesh is not to be missing from another that has markers of its names.
+  // Markers hidden in one mesh must not be missing in another that has markers of the same names.
   if (const Document* document = session_.document()) {
     const std::string file = document->source().path.string();
     if (options_.markers.mesh != file) options_.markers = {file, {}};
@@ -58,7 +58,7 @@ bool ViewControl::look_at_another() {
   return true;
 }
 
-/// Of the markers that there are; at first of a body.
+/// Makes the peeled marker one that exists; at first that of a body.
 void ViewControl::suit_peel() {
   const Topology& topology = *session_.topology();
   std::string& marker = options_.space.peel.marker;
@@ -78,7 +78,7 @@ void ViewControl::set_mouse(const std::optional<ScreenPoint>& mouse,
   state_.pixel = now.units_per_pixel;
   state_.seen = seen;
   state_.looks_from = now.direction;
-  // A place on screen has no point of its own in space: what is seen there has.
+  // In space, a place on screen has no point of its own, only what is seen there.
   state_.cursor = mouse && !now.direction ? std::optional(camera().to_world(*mouse)) : std::nullopt;
 }
 
@@ -128,7 +128,7 @@ void ViewControl::on(const action::InspectNode& a) {
   if (!a.node) return;
   options_.side_tab = SideTab::vcv;
   open_right(options_, state_.columns);
-  // A number that was typed may be that of a node anywhere.
+  // A typed number may belong to a node that is out of view.
   if (session_.nodes().inspected() != a.node) return;
   const bool seen = navigator_.camera_control().sees(*a.node);
   on(action::GoTo{MeshItem{MeshItem::Kind::node, *a.node}, !seen});

@@ -10,7 +10,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// Height of the bar with its number.
+/// Draws the bar with its number; returns the height.
 float draw_scale_bar(ImDrawList& list, const ViewOverlay& o, const ImVec2& bottom_left) {
   const double unit = o.view.pixel_size(o.view.to_plane(o.view.viewport().centre()));
   const double length = round_length(unit * static_cast<double>(o.theme.px(140)));
@@ -119,7 +119,7 @@ ImVec2 seen_at(const SpaceOverlay& o, const Vec3& point) {
   return static_cast<ImVec2>(o.view.project(point).at);
 }
 
-/// Nothing of the picture lies before the node of a surface mesh.
+/// True if nothing in the picture hides the node of a surface mesh.
 bool is_seen(const SpaceOverlay& o, const VolumeView& picture, const Vec3& point) {
   constexpr double slack = 4;  // pixels
   const View::Projection there = o.view.project(point);
@@ -127,7 +127,7 @@ bool is_seen(const SpaceOverlay& o, const VolumeView& picture, const Vec3& point
   return !hit || o.view.project(hit->point).depth > there.depth - slack * o.view.pixel_size(point);
 }
 
-/// The VCV of a node, as it is drawn at meshes of its kind.
+/// Draws the VCV of a node in the form of its kind of mesh.
 void draw_pin(ImDrawList& list, const SpaceOverlay& o, Index node) {
   if (o.session.kind() != MeshKind::surface)
     return draw_sphere_vcv(list, o.space, o.session.inspection().spheres.view_of(node),
@@ -138,7 +138,8 @@ void draw_pin(ImDrawList& list, const SpaceOverlay& o, Index node) {
            o.theme.small);
 }
 
-/// The VCVs of pinned nodes, the furthest first; those of a surface that it hides are left out.
+/// Draws the VCVs of pinned nodes, the furthest first; on a surface mesh without those that it
+/// hides.
 void draw_pins(ImDrawList& list, const SpaceOverlay& o, const VolumeView& picture) {
   std::vector<std::pair<double, Index>> by_depth;
   for (const Index node : o.session.nodes().pinned())
@@ -150,7 +151,7 @@ void draw_pins(ImDrawList& list, const SpaceOverlay& o, const VolumeView& pictur
     try {
       draw_pin(list, o, node);
     } catch (const Error&) {
-      continue;  // a star without a VCV: the tab says why
+      continue;  // a star without a VCV; the tab gives the reason
     }
     const ImVec2 at = seen_at(o, place);
     ui::note("pin/" + std::to_string(node), {at.x - 4, at.y - 4}, {at.x + 4, at.y + 4});
@@ -189,7 +190,7 @@ ImU32 packed_ink(const Rgba& c) {
 
 ImVec2 on_screen(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
 
-/// Letters on a ground of their own, as the mesh may lie under them.
+/// Draws letters on a background of their own, as the mesh may lie beneath.
 void draw_mark_text(ImDrawList& list, ImFont& font, float size, const ScreenPoint& centre,
                     const std::string& text, const MarkColors& colors) {
   const ImVec2 extent = font.CalcTextSizeA(size, 1e6f, 0, text.c_str());
@@ -215,7 +216,7 @@ void draw_axes(ImDrawList& list, ImFont& font, float size, const SpaceCamera& ca
     const char* name;
   };
   std::array<Axis, 3> axes{{{Vec3::UnitX(), "x"}, {Vec3::UnitY(), "y"}, {Vec3::UnitZ(), "z"}}};
-  // The one that points to the viewer most is drawn last.
+  // The axis that points to the viewer most is drawn last.
   std::ranges::sort(axes, {}, [&](const Axis& a) { return camera.back().dot(a.direction); });
   for (const auto& [direction, name] : axes) {
     const ScreenVector along(camera.right().dot(direction), -camera.up().dot(direction));

@@ -7,7 +7,7 @@ namespace winslow::gui {
 
 namespace {
 
-// More would be no help to anyone, and slow.
+// More labels would be slow and illegible.
 constexpr std::size_t most_labels = 600;
 
 ImVec2 size_of(const Theme& theme, const std::string& text) {
@@ -30,7 +30,8 @@ Card card_of(const Theme& theme, const IdLabel& label) {
   return {{at.x - pad, at.y}, {at.x + size.x + pad, at.y + size.y}, at};
 }
 
-/// A number of an element that the card of a node would cover in part cannot be read.
+/// Removes the numbers of elements that the card of a node would cover in part: they would be
+/// illegible.
 template <class Label>
 void leave_out_covered(std::vector<Label>& labels, const Theme& theme) {
   std::vector<Card> nodes;
@@ -43,7 +44,8 @@ void leave_out_covered(std::vector<Label>& labels, const Theme& theme) {
   });
 }
 
-/// Nodes on cards, elements bare but for what sets them off: the two are told apart.
+/// Numbers of nodes stand on cards, those of elements only on a faint one, so that the two can be
+/// told apart.
 void draw_label(ImDrawList& list, const Theme& theme, const IdLabel& label) {
   ImFont& font = *theme.small;
   const auto [min, max, at] = card_of(theme, label);
@@ -58,7 +60,7 @@ bool within(const Bounds& box, const Vec2& p) {
   return (p.array() >= box.min.array()).all() && (p.array() <= box.max.array()).all();
 }
 
-/// The node of an element that a corner of a picture is; none: it lies on an edge, as of a cut.
+/// The node of an element at a corner of a picture; none: the corner lies on an edge, as in a cut.
 std::optional<Index> node_at(const SpaceCorner& corner, Index element, const Mesh& mesh,
                              const Vec3& origin) {
   for (const Index node : mesh.topology->element(element)) {
@@ -68,7 +70,7 @@ std::optional<Index> node_at(const SpaceCorner& corner, Index element, const Mes
   return std::nullopt;
 }
 
-/// Nodes of a picture, and how much room there is around each.
+/// Collects the nodes of a picture, and the room around each.
 class NodePlaces {
  public:
   struct Place {
@@ -82,10 +84,9 @@ class NodePlaces {
   };
   NodePlaces(const Mesh& mesh, const Vec3& origin) : mesh_(mesh), origin_(origin) {}
 
-  /// least: the nodes of what has less room than that have none, whatever lies on their other
-  /// sides.
+  /// least: triangles with less room exclude their nodes, whatever lies on the nodes' other sides.
   void add(const Triangle& which, const SeenTriangle& triangle, double least) {
-    // Thrice the radius of the circle within is about what there is between its corners.
+    // The room between the corners is about thrice the radius of the inscribed circle.
     const double room = triangle.girth() > 0 ? 6 * triangle.area() / triangle.girth() : 0;
     if (room < least) {
       small_.push_back({&which.fill, which.number});
@@ -162,14 +163,14 @@ void IdLabels::find_elements(const ViewOverlay& o) {
       twice_area += a.x() * b.y() - a.y() * b.x();
       around += (b - a).norm();
     }
-    // Twice the area over the girth is the radius of a circle inside.
+    // Twice the area over the perimeter is the radius of the inscribed circle.
     const double radius = std::abs(twice_area) / around / o.view.pixel_size(middle);
     add_label(o, place_in_plane(middle), {e, false}, 2 * radius);
   }
 }
 
-/// Nodes where the triangles at them have room for their number, elements where what is seen of
-/// them has.
+/// Labels nodes if the triangles at them have room for the number, elements if their visible part
+/// has.
 void IdLabels::find_in(const ViewOverlay& o, const SpaceScene& part, const VolumeScenes& scenes) {
   NodePlaces nodes(*scenes.of.mesh, part.origin);
   const ScreenBox seen = o.view.viewport();
@@ -179,7 +180,7 @@ void IdLabels::find_in(const ViewOverlay& o, const SpaceScene& part, const Volum
       const std::size_t first = t;
       double area = 0, girth = 0;
       Vec3 middle(0, 0, 0);
-      // The triangles of one polygon follow one another.
+      // The triangles of a polygon are consecutive.
       for (; t < fill.elements.size() && fill.elements[t] == fill.elements[first]; ++t) {
         const SeenTriangle triangle(fill, 3 * t, part, o.view);
         const double own = triangle.area();
@@ -191,7 +192,7 @@ void IdLabels::find_in(const ViewOverlay& o, const SpaceScene& part, const Volum
       }
       if (!o.options.element_ids || !(area > 0)) continue;
       middle /= area;
-      // As wide as the circle within, which is four times the area over the girth.
+      // Width of the inscribed circle: four times the area over the perimeter.
       if (!cut_away(middle, fill.clipped_by, scenes.planes))
         add_label(o, middle, {fill.elements[first], false}, 4 * area / girth);
     }
@@ -256,7 +257,7 @@ void IdLabels::draw(ImDrawList& list, const ViewOverlay& o, const VolumeView& pi
   }
   for (const Label& label : labels_) draw_label(list, o.theme, label.drawn);
   if (!labels_.empty()) return;
-  // In place of numbers that have no room.
+  // Shown instead of numbers that have no room.
   const ImVec2 at(static_cast<float>(room.min.x()) + o.theme.px(12),
                   static_cast<float>(room.min.y()) + o.theme.px(12));
   draw_tag(list, o.theme, at, "Zoom in to see the numbers");

@@ -16,8 +16,8 @@ ImVec2 projected(const Overlay& o, const Vec3& point) {
 
 using Outline = std::vector<std::pair<Vec3, Vec3>>;
 
-/// Edges that are to be. The few of a plane mesh have a halo, so that they are legible over any
-/// colour; with the many of a surface it would be a blot.
+/// Draws planned edges. The few of a plane mesh have a halo, so that they are legible over any
+/// colour; the many of a surface would merge into a blot.
 void draw_planned(ImDrawList& list, const Overlay& o, const Outline& outline) {
   const auto draw = [&](ImU32 color, float width) {
     for (const auto& [a, b] : outline)
@@ -28,7 +28,7 @@ void draw_planned(ImDrawList& list, const Overlay& o, const Outline& outline) {
   draw(palette().accent, 1.8f);
 }
 
-/// A line that is legible over any colour.
+/// Draws a line that is legible over any colour.
 void draw_bold_line(ImDrawList& list, const Overlay& o, const Vec3& a, const Vec3& b, float width) {
   list.AddLine(projected(o, a), projected(o, b), faded(palette().card, 0.85f),
                o.theme.px(width + 3));
@@ -41,7 +41,7 @@ void draw_bold_node(ImDrawList& list, const Overlay& o, const Vec3& point) {
   list.AddCircle(at, o.theme.px(7), palette().accent, 24, o.theme.px(2));
 }
 
-/// A dot with a rim. share: 1 of what follows the mouse in full, 0 of what stays.
+/// Draws a dot with a rim. share: from 1, the node follows the mouse in full, to 0, it stays.
 void draw_held_dot(ImDrawList& list, const Overlay& o, const Vec3& point, float share) {
   const ImVec2 at = projected(o, point);
   list.AddCircleFilled(at, o.theme.px(2.0f + 3.0f * share), palette().card, 16);
@@ -66,7 +66,7 @@ void draw_dashed(ImDrawList& list, const Overlay& o, const Vec3& point, const Ve
                    o.theme.px(width));
 }
 
-/// The line about which a pivot turns, with what it was taken from.
+/// Draws the axis of a pivot, and the items that define it.
 void draw_pivot_line(ImDrawList& list, const Overlay& o, const SpacePivot& pivot,
                      const Coordinates& x) {
   const double unit = o.view.pixel_size(pivot.point);
@@ -81,7 +81,7 @@ void draw_pivot_line(ImDrawList& list, const Overlay& o, const SpacePivot& pivot
       draw_bold_line(list, o, source[k], source[(k + 1) % source.size()], 2.4f);
 }
 
-/// What the selection turns about, where that was chosen.
+/// Draws the pivot of the selection, if the user chose one.
 void draw_chosen_pivot(ImDrawList& list, const Overlay& o) {
   const Selection& selection = o.session.selection();
   if (selection.empty() || selection.shape_edit().active) return;
@@ -89,7 +89,7 @@ void draw_chosen_pivot(ImDrawList& list, const Overlay& o) {
   if (pivot.from == PivotFrom::centre && !GizmoFrame::about(pivot.axis).aligned) return;
   pivot.point = selection.space_pivot();
   pivot.axis = selection.space().axis();
-  // The nodes of a body go with it, and are seen in the mesh; the line is what counts in a drag.
+  // The nodes of a body move with it and are visible in the mesh; in a drag only the line matters.
   if (o.session.in_motion()) pivot.nodes.clear();
   draw_pivot_line(list, o, pivot, o.session.coordinates());
   ui::note("pivot/line", {projected(o, pivot.point).x - 4, projected(o, pivot.point).y - 4},
@@ -107,8 +107,8 @@ void draw_offered_pivot(ImDrawList& list, const Overlay& o) {
   if (pivot) draw_pivot_line(list, o, *pivot, x);
 }
 
-/// Where the mouse wants the body, or the part of the boundary: the mesh may be a step behind. The
-/// outline of a surface would hide the mesh that is there.
+/// Draws where the mouse puts the body or the part of the boundary: the mesh may be a step behind.
+/// Not on a surface mesh that has arrived, which the outline would hide.
 void draw_wanted(ImDrawList& list, const Overlay& o) {
   const BodyDrag* drag = o.session.mesh().work().body_drag();
   if (o.session.in_space() && (!drag || drag->reach() == BodyDrag::Reach::there)) return;
@@ -127,8 +127,8 @@ void draw_wanted(ImDrawList& list, const Overlay& o) {
     draw_held_dot(list, o, place_of(rest, grip.nodes[i]) + grip.shares[i] * pull, 0.6f);
 }
 
-/// While shapes are edited: the nodes of a plane mesh that can be taken, all of them where they are
-/// few, else those around the mouse.
+/// While shapes are edited, draws the nodes of a plane mesh that can be grabbed: all of them if
+/// they are few, else those around the mouse.
 void draw_boundary_nodes(ImDrawList& list, const Overlay& o) {
   const BoundaryIndex* boundary = o.session.mesh().boundary();
   if (!boundary) return;
@@ -155,7 +155,7 @@ void draw_boundary_nodes(ImDrawList& list, const Overlay& o) {
              static_cast<ImVec2>(seen.max));
 }
 
-/// What a drag of the boundary takes along; empty: nothing is held.
+/// The nodes that a drag of the boundary moves; empty: nothing is held.
 DragGrip held_grip(const Session& session) {
   const ShapeEdit& edit = session.selection().shape_edit();
   if (const BodyDrag* drag = session.mesh().work().body_drag()) return drag->grip();
@@ -165,7 +165,8 @@ DragGrip held_grip(const Session& session) {
   return grip_of(*edit.arc, edit.radius, *boundary, *session.topology(), session.coordinates());
 }
 
-/// What is held of the boundary, the larger the more a drag moves it, and what a click would hold.
+/// Draws the held nodes of the boundary, larger the more a drag moves them, and what a click would
+/// hold.
 void draw_held(ImDrawList& list, const Overlay& o) {
   if (!o.session.selection().shape_edit().active) return;
   const Coordinates& x = o.session.coordinates();
@@ -298,7 +299,7 @@ std::vector<ScreenPoint> points_of(const LayerColumn& column, const Coordinates&
   return points;
 }
 
-/// The outlines of layers that can be told apart on screen, and the last one.
+/// Draws the outlines of layers that are distinguishable on screen, and the last one.
 void draw_outlines(ImDrawList& list, const Overlay& o, const std::vector<ScreenPoint>& a,
                    const std::vector<ScreenPoint>& b) {
   constexpr double apart = 2.5;  // pixels
@@ -349,7 +350,7 @@ void draw_layer_preview(ImDrawList& list, const Overlay& o) {
     nearest = away;
     pointed = &column;
   }
-  // Under the outlines, which are too close together to have halos of their own.
+  // Drawn beneath the outlines, which are too close together for halos of their own.
   for (const ColumnPair& pair : plan->pairs)
     list.AddLine(ImVec2(columns[pair.left].back()), ImVec2(columns[pair.right].back()),
                  faded(palette().card, 0.85f), o.theme.px(4));

@@ -8,7 +8,7 @@ namespace winslow::gui {
 
 namespace {
 
-// In the order of the key; those that matter most are drawn last.
+// In the order of the key; the most important ones are drawn last.
 constexpr std::array<NodeRole, node_role_count> in_order{
     NodeRole::free,     NodeRole::fixed,    NodeRole::moves,  NodeRole::on_surface,
     NodeRole::on_curve, NodeRole::periodic, NodeRole::corner, NodeRole::held};
@@ -44,7 +44,7 @@ void draw_ring(ImDrawList& list, const Theme& theme, const ScreenPoint& at, floa
   list.AddCircle(place, radius, palette().text, 24, theme.px(1.5f));
 }
 
-/// overridden: it was told to do so.
+/// overridden: the user has set the role.
 void draw_dot(ImDrawList& list, const Theme& theme, const ScreenPoint& at, NodeRole role,
               bool overridden = false) {
   if (overridden) draw_ring(list, theme, at, theme.px(7.5f));
@@ -56,8 +56,7 @@ void draw_dot(ImDrawList& list, const Theme& theme, const ScreenPoint& at, NodeR
   list.AddCircleFilled(place, radius, color_of(role), 10);
 }
 
-/// The roles that there are, with their colours and numbers of nodes. Stands in the corner top
-/// left.
+/// Draws the roles that occur, with colours and numbers of nodes, in the top left corner.
 void draw_key(ImDrawList& list, const Theme& theme, const ScreenBox& room, const NodeRoles& roles) {
   ImFont& font = *theme.small;
   struct Row {
@@ -82,7 +81,7 @@ void draw_key(ImDrawList& list, const Theme& theme, const ScreenBox& room, const
                    static_cast<float>(room.min.y()) + theme.px(12));
   const ImVec2 max(min.x + wide + dot + 2 * pad,
                    min.y + static_cast<float>(rows.size()) * line + 2 * pad - theme.px(4));
-  // Where there is no room for it, the mesh matters more.
+  // Without room for the key, the mesh matters more.
   if (max.x > static_cast<float>(room.max.x()) || max.y > static_cast<float>(room.max.y())) return;
   list.AddRectFilled(min, max, faded(palette().card, 0.97f), theme.px(5));
   list.AddRect(min, max, palette().border, theme.px(5));
@@ -106,7 +105,7 @@ void draw_key(ImDrawList& list, const Theme& theme, const ScreenBox& room, const
 
 namespace {
 
-/// In the order of NodeRole. Without colours of its own: as the text.
+/// In the order of NodeRole. A colour of 0 stands for that of the text.
 struct RoleLook {
   const char* name;
   ImU32 on_light = 0, on_dark = 0;
@@ -146,8 +145,8 @@ void RoleOverlay::find_in_plane(const ViewOverlay& o, const NodeRoles& roles) {
   }
 }
 
-/// Nodes of bodies, and of what moves; of what encloses them and stays there is nothing to be said,
-/// and what a cut takes away of it is not there.
+/// Finds the nodes of bodies and of moving parts. Leaves out the enclosure where it stays, and what
+/// a cut takes away.
 void RoleOverlay::find_in_picture(const ViewOverlay& o, const VolumeScenes& scenes,
                                   const NodeRoles& roles) {
   const VolumeBoundary& boundary = *o.session.document()->boundary();

@@ -61,8 +61,8 @@ namespace {
 
 using Kind = Handle::Kind;
 
-constexpr float at_the_back = 0.45f;  // opacity of what points away
-constexpr float set_aside = 0.25f;    // of what is not held, in a drag
+constexpr float at_the_back = 0.45f;  // opacity of parts that point away
+constexpr float set_aside = 0.25f;    // of parts that are not held, in a drag
 
 ImVec2 on_list(const ScreenPoint& p) { return static_cast<ImVec2>(p); }
 
@@ -86,7 +86,7 @@ ImU32 color_of_axis(int axis) {
   return std::array<ImU32, 3>{p.axis_x, p.axis_y, p.axis_z}[at(axis)];
 }
 
-/// The points of a ring that hang together on one side of its centre.
+/// Splits a ring into connected runs of points on one side of its centre.
 std::vector<std::vector<ImVec2>> runs_of(const std::vector<Gizmo::RingPoint>& ring, bool front) {
   std::vector<std::vector<ImVec2>> runs;
   const std::size_t n = ring.size();
@@ -193,7 +193,7 @@ void draw_middle(const Drawing& d) {
   d.list.AddCircleFilled(c, d.theme.px(1.8f), palette().card);
 }
 
-/// On the ring of the plane: a place to take it by that is seen at once.
+/// Draws the knob on the ring of the plane, an obvious place to grab it.
 void draw_knob(const Drawing& d) {
   if (!d.g.knob) return;
   const Handle handle{Kind::ring, 2};
@@ -204,7 +204,7 @@ void draw_knob(const Drawing& d) {
                          faded(color_of_axis(2), strength));
 }
 
-/// A crosshair beside the centre.
+/// Draws the pin, a crosshair beside the centre.
 void draw_pin(const Drawing& d) {
   if (!d.g.pin) return;
   const Handle handle{Kind::pin, 0};
@@ -221,7 +221,7 @@ void draw_pin(const Drawing& d) {
   }
 }
 
-/// The angle that a drag has turned by, from where the ring was taken.
+/// Draws the angle of a drag, from where the ring was grabbed.
 void draw_swept(const Drawing& d) {
   if (!d.mover.dragging() || !d.mover.gesture().turns()) return;
   const MotionGesture& gesture = d.mover.gesture();
@@ -244,7 +244,7 @@ void draw_swept(const Drawing& d) {
   }
 }
 
-/// The line along which a drag moves, or about which it turns.
+/// Draws the line along which a drag moves, or about which it turns.
 void draw_guide(const Drawing& d) {
   if (!d.mover.dragging()) return;
   const MotionGesture& gesture = d.mover.gesture();
@@ -262,7 +262,7 @@ void note_handle(const std::string& id, const ScreenPoint& p) {
   ui::note("gizmo/" + id, {at.x - 3, at.y - 3}, {at.x + 3, at.y + 3});
 }
 
-/// The place of a ring, in the view, that is farthest from the others.
+/// The visible place of a ring that is farthest from the other rings.
 std::optional<ScreenPoint> free_place_of_ring(const View& view, const Gizmo& g, int axis) {
   std::optional<ScreenPoint> best;
   double most = 0;
@@ -282,7 +282,7 @@ std::optional<ScreenPoint> free_place_of_ring(const View& view, const Gizmo& g, 
   return best;
 }
 
-/// Where scripts find the handles.
+/// Notes the places of the handles for scripts.
 void note_handles(const View& view, const Gizmo& g) {
   note_handle("centre", g.centre);
   if (g.pin) note_handle("pin", *g.pin);
@@ -380,7 +380,7 @@ void draw_leg(ImDrawList& list, const ViewOverlay& o, const Vec3& a, const Vec3&
   list.AddLine(from, to, palette().accent, o.theme.px(2));
 }
 
-/// The angle that is measured, as an arc in the plane of both legs.
+/// Draws the measured angle as an arc in the plane of both legs.
 void draw_arc(ImDrawList& list, const ViewOverlay& o, const std::vector<RulerPoint>& points) {
   const Vec3 corner = points[1].at;
   const Vec3 a = points[0].at - corner, b = points[2].at - corner;
@@ -401,11 +401,11 @@ void draw_point(ImDrawList& list, const ViewOverlay& o, const RulerPoint& point)
   const ImVec2 at = projected(o, point.at);
   list.AddCircleFilled(at, o.theme.px(5), palette().card);
   list.AddCircleFilled(at, o.theme.px(3.2f), palette().accent);
-  // On a node, it is ringed.
+  // A ring marks a point on a node.
   if (point.node) list.AddCircle(at, o.theme.px(8), palette().accent, 24, o.theme.px(1.5f));
 }
 
-/// Lines of text on one card beside a place, inside the view.
+/// Draws lines of text on one card beside a place, inside the view.
 void draw_card(ImDrawList& list, const ViewOverlay& o, const ScreenPoint& beside,
                const std::vector<std::string>& lines) {
   const Theme& theme = o.theme;
@@ -433,7 +433,7 @@ void draw_card(ImDrawList& list, const ViewOverlay& o, const ScreenPoint& beside
 }  // namespace
 
 std::vector<std::string> measurement_lines(const Measurement& m) {
-  // Rounding errors of the nodes are no distance.
+  // Rounding errors of the nodes do not count as a distance.
   const auto rounded = [](double value, double unit) {
     return std::abs(value) < 1e-9 * unit ? 0.0 : value;
   };

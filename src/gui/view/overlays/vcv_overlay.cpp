@@ -6,7 +6,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// light: 0 to 1: how much of it falls there.
+/// light: share of the light, 0 to 1, that falls on it.
 ImU32 color(const Rgb& c, float alpha = 1, float light = 1) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(light * c[0], light * c[1], light * c[2], alpha));
 }
@@ -16,8 +16,8 @@ struct Pen {
   ImFont* font;
 };
 
-/// below: by this share of its height its upper end is below the place; its middle is there at
-/// -0.5. room: pixels, in which it has to find place.
+/// below: distance of the text's upper end below the place, as a share of its height; -0.5 centres
+/// the text. room: pixels available.
 void draw_number(ImDrawList& list, const ImVec2& centre, float below, Index node, double room,
                  ImFont* font) {
   const std::string text = std::to_string(node);
@@ -165,7 +165,7 @@ void draw_sphere_vcv(ImDrawList& list, const SpaceCamera& camera, const VolumeNo
                      float unit, ImFont* font) {
   SphereSketch(list, camera, node, unit).draw();
   const double reach = node.physical.mean_length() / camera.pixel_size(node.position);
-  // Below the node, around which there may be a ring.
+  // Below the node, since a ring may surround the node.
   draw_number(list, ImVec2(camera.project(node.position).at), 0.8f, node.node, reach, font);
 }
 

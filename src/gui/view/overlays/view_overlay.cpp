@@ -23,7 +23,7 @@ bool inside(const ScreenBox& seen, const ScreenPoint& p, double room) {
   return q.x() > -room && q.y() > -room && q.x() < size.x() + room && q.y() < size.y() + room;
 }
 
-/// A chevron that points along a direction of the screen.
+/// Draws a chevron that points along a direction of the screen.
 void draw_arrow(ImDrawList& list, const ViewOverlay& o, const ScreenPoint& at,
                 const ScreenVector& along, ImU32 color) {
   const double size = static_cast<double>(o.theme.px(6));
@@ -34,7 +34,7 @@ void draw_arrow(ImDrawList& list, const ViewOverlay& o, const ScreenPoint& at,
   list.AddTriangleFilled(ImVec2(tip), ImVec2(left), ImVec2(right), color);
 }
 
-/// Of an element or a face; none of a node.
+/// The edges of an element or a face; none for a node.
 std::vector<std::array<Index, 2>> edges_of(const MeshItem& item, const Topology& topology) {
   std::vector<std::array<Index, 2>> edges;
   if (item.kind == MeshItem::Kind::face) {
@@ -50,7 +50,7 @@ std::vector<std::array<Index, 2>> edges_of(const MeshItem& item, const Topology&
   return edges;
 }
 
-/// One closed loop of the boundary, the mesh on its left.
+/// Draws one closed loop of the boundary, the mesh on its left.
 void draw_loop(ImDrawList& list, const ViewOverlay& o, const std::vector<Index>& nodes,
                ImU32 color) {
   const double arrow_gap = static_cast<double>(o.theme.px(64));
@@ -68,7 +68,7 @@ void draw_loop(ImDrawList& list, const ViewOverlay& o, const std::vector<Index>&
       if (inside(o.view.viewport(), middle, 0))
         draw_arrow(list, o, middle, (to - from) / length, color);
     }
-    // Closer together they would be a thick line.
+    // Closer dots would merge into a thick line.
     if (o.options.rim_nodes && (to - last_dot).norm() >= node_gap &&
         inside(o.view.viewport(), to, 4)) {
       last_dot = to;
@@ -97,14 +97,14 @@ void draw_focus(ImDrawList& list, const ViewOverlay& o) {
   if (!focus || !exists(*focus, o.session)) return;
   const Coordinates& x = o.session.coordinates();
   const auto place = [&](Index node) { return ImVec2(o.view.project(place_of(x, node)).at); };
-  // The node of the inspector has a ring of its own.
+  // The inspected node has a ring of its own.
   if (focus->kind == MeshItem::Kind::node && o.session.nodes().inspected() != focus->id) {
     const ImVec2 c = place(focus->id);
     list.AddCircle(c, o.theme.px(9), palette().card, 32, o.theme.px(5));
     list.AddCircle(c, o.theme.px(9), palette().accent, 32, o.theme.px(2.5f));
     list.AddCircleFilled(c, o.theme.px(2.5f), palette().accent);
   }
-  // With a halo, so that they are legible over any colour.
+  // With a halo, so that the edges are legible over any colour.
   const auto edges = edges_of(*focus, *o.session.topology());
   for (const auto& [color, width] : {std::pair{palette().card, 5.5f}, {palette().accent, 2.5f}})
     for (const auto& [a, b] : edges) list.AddLine(place(a), place(b), color, o.theme.px(width));
@@ -149,7 +149,7 @@ void draw_comparison(ImDrawList& list, const ViewOptions& options, const Theme& 
     const std::string text = std::string("          ") + before;
     const ImVec2 size = draw_tag(list, theme, at, text.c_str());
     const float middle = at.y + size.y / 2;
-    // White edges would not be seen on a white card.
+    // White edges would be invisible on a white card.
     list.AddRectFilled(ImVec2(at.x + theme.px(5), middle - theme.px(5)),
                        ImVec2(at.x + theme.px(9) + line, middle + theme.px(5)),
                        faded(palette().text, 0.5f), theme.px(2));
@@ -224,7 +224,7 @@ void Lens::paint() const {
 
 namespace {
 
-/// Dashes along closed lines of points in the mesh.
+/// Draws dashes along closed lines of points in the mesh.
 class DashedLines {
  public:
   DashedLines(ImDrawList& list, const View& view, const Theme& theme)
@@ -243,7 +243,8 @@ class DashedLines {
     const float period = theme_.px(dash + gap);
     const float length = std::hypot(b.x - a.x, b.y - a.y);
     if (!std::isfinite(length)) return;
-    // A line much longer than the window is seen in part only: no dashes by the thousand.
+    // Only part of a line much longer than the window is visible: draw it solid instead of in
+    // thousands of dashes.
     if (length > 400 * period || length == 0) return list_.AddLine(a, b, ink(), width());
     for (float at = -walked_; at < length; at += period) {
       const float start = std::max(at, 0.0f), end = std::min(at + theme_.px(dash), length);
@@ -280,7 +281,7 @@ void draw_rectangle(DashedLines& lines, const KeepOutside& keep) {
   lines.loop({a, Vec3(b.x(), a.y(), 0), b, Vec3(a.x(), b.y(), 0)});
 }
 
-/// Its twelve edges: two rectangles, and what joins them.
+/// Draws the twelve edges of the box: two rectangles, and the edges between them.
 void draw_box(DashedLines& lines, const KeepOutside& keep) {
   const Vec3 a = *keep.corner, b = *keep.opposite;
   const std::array<Vec3, 4> foot{Vec3(a.x(), a.y(), a.z()), Vec3(b.x(), a.y(), a.z()),
@@ -307,7 +308,7 @@ void draw_region(ImDrawList& list, const Session& session, const View& view, con
   DashedLines lines(list, view, theme);
   if (keep.corner && keep.opposite) space ? draw_box(lines, keep) : draw_rectangle(lines, keep);
   if (keep.radius) {
-    // None: nothing is selected that it could be about.
+    // None: there is no selection to centre it on.
     const auto centre =
         keep.centre ? std::optional<Vec3>(*keep.centre) : session.selection().own().centre();
     if (!centre) return;

@@ -7,7 +7,7 @@ namespace {
 // Framebuffer pixels at scale 1.
 constexpr double arrow_length = 72;
 constexpr double cut_knob_reach = 10, shaft_reach = 7, foot_reach = 13;
-constexpr double seen_sideways = 16;  // an arrow that is shorter points at the viewer
+constexpr double seen_sideways = 16;  // a shorter arrow points at the viewer
 
 void edit_cut(const PointerFrame& frame, const CutPlane& cut) {
   if (!held_cut(frame.scene)) return;
@@ -39,7 +39,7 @@ CutHandle make_cut_handle(const CutPlane& cut, const View& view, double scale) {
   handle.normal = Vec3(cut.normal.data()).normalized();
   const ScreenBox box = view.viewport();
   if (!box.contains(view.project(handle.anchor).at)) {
-    // Where the plane is seen in the middle of the view, or nearest to that.
+    // The point of the plane in the middle of the view, or the nearest to it.
     const auto [origin, direction] = view.unproject(box.centre());
     const double slope = handle.normal.dot(direction);
     const double height = handle.normal.dot(handle.anchor - origin);
@@ -56,14 +56,16 @@ CutHandle make_cut_handle(const CutPlane& cut, const View& view, double scale) {
 CutPlane moved_cut(const CutPlane& cut, const CutHandle& handle, const View& view,
                    const ScreenVector& by) {
   const ScreenVector arrow = handle.tip - handle.foot;
-  // Seen end on, the arrow comes to the viewer, or goes, as the mouse goes up.
+  // If the arrow is seen end on, the vertical motion of the mouse moves it towards the viewer or
+  // away.
   const double along = arrow.norm() > seen_sideways * handle.scale
                            ? by.dot(arrow) / arrow.squared_norm() * handle.length
                            : -by.y() * view.pixel_size(handle.anchor);
   return cut_through(Vec3(cut.point.data()) + along * handle.normal, Vec3(cut.normal.data()));
 }
 
-/// The arrow's tip stays on a sphere about its foot, on the side of the viewer on which it is.
+/// The arrow's tip stays on a sphere about its foot, on its side of the sphere as seen by the
+/// viewer.
 CutPlane turned_cut(const CutPlane& cut, const CutHandle& handle, const View& view,
                     const ScreenPoint& to) {
   const Ray<3> ray = view.unproject(to);

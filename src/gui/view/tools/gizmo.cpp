@@ -6,13 +6,14 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr double end_on = 0.2;         // sine of a line to the viewer, cosine of a plane's normal
+constexpr double end_on =
+    0.2;  // sine of a line's angle to the view direction, cosine of a plane's normal to it
 constexpr double ring_edge_on = 0.25;  // cosine of a ring's axis to the viewer
 constexpr double most_speed = 6;       // of a point, over that of the mouse
 constexpr double smallest_circle =
     0.1;  // of a ring's radius: nearer to the centre there is no angle
 
-/// Where on a line the ray through a place comes nearest to it.
+/// Position on a line nearest to a ray.
 double nearest_on_line(const Ray<3>& ray, const Vec3& point, const Vec3& direction) {
   const Vec3 along = ray.direction.normalized();
   const Vec3 between = point - ray.origin;
@@ -20,7 +21,7 @@ double nearest_on_line(const Ray<3>& ray, const Vec3& point, const Vec3& directi
   return (cosine * between.dot(along) - between.dot(direction)) / (1 - cosine * cosine);
 }
 
-/// Where the ray through a place meets a plane, before the viewer.
+/// Intersection of a ray with a plane, in front of the viewer.
 std::optional<Vec3> meet_plane(const Ray<3>& ray, const Vec3& point, const Vec3& normal) {
   const double t = normal.dot(point - ray.origin) / normal.dot(ray.direction);
   if (!std::isfinite(t) || t < 0) return std::nullopt;
@@ -32,7 +33,7 @@ double longest(const View& view, const Vec3& point, const ScreenPoint& from,
   return most_speed * (to - from).norm() * view.pixel_size(point);
 }
 
-/// Clockwise on screen, radians.
+/// Angle on screen, clockwise, radians.
 double screen_angle(const ScreenPoint& centre, const ScreenPoint& at) {
   const ScreenVector arm = at - centre;
   return std::atan2(arm.y(), arm.x());
@@ -114,10 +115,10 @@ constexpr double pin_away = 20;
 constexpr double shortest_arrow = 32, longest_arrow = 64;
 constexpr double ring_gap = 26, smallest_ring = 52;
 constexpr std::size_t ring_points = 96;
-// What lies this far behind the centre, in radii, still counts as in front: a ring that faces the
-// viewer does with all of itself.
+// Points less far behind the centre than this, in radii, count as in front, so that a ring that
+// faces the viewer is all in front.
 constexpr double just_behind = 0.12;
-constexpr double least_arrow = 0.2;   // sine to the viewer of an arrow that can be taken
+constexpr double least_arrow = 0.2;   // sine to the viewer of an arrow that can be grabbed
 constexpr double least_square = 0.2;  // cosine to the viewer of the normal of a square
 
 bool in_polygon(const ScreenPoint& p, const std::array<ScreenPoint, 4>& corners) {
@@ -151,14 +152,14 @@ std::vector<Gizmo::RingPoint> ring_about(const View& view, const Gizmo& g, int a
 }
 
 double reach_of(Kind kind) {
-  // In the order of Handle::Kind; squares are taken within.
+  // In the order of Handle::Kind; a square is grabbed inside its outline.
   constexpr std::array<double, 7> reach{0,          centre_reach, arrow_reach, 0,
                                         ring_reach, ring_reach,   pin_reach};
   return reach[static_cast<std::size_t>(kind)];
 }
 
-/// Radius of the ring in the plane, pixels: seen from afar it stays large enough to take, seen from
-/// near within the window.
+/// Radius of the ring in the plane, pixels: large enough to grab when seen from afar, and within
+/// the window when seen from near.
 double ring_around(const View& view, const GizmoPlace& place, double scale) {
   const ScreenVector size = view.viewport().size();
   const double room = 0.42 * std::min(size.x(), size.y());
@@ -166,7 +167,7 @@ double ring_around(const View& view, const GizmoPlace& place, double scale) {
                   std::min(place.reach / view.pixel_size(place.pivot) + ring_gap * scale, room));
 }
 
-/// In the order in which they are taken.
+/// The handles, by priority when they overlap.
 std::vector<Handle> handles_of(const Gizmo& g) {
   std::vector<Handle> all{{Kind::centre, 0}};
   const bool flat = g.place.in_plane;

@@ -75,7 +75,7 @@ Vec3 MotionGesture::axis() const {
   return handle_.kind == Kind::ring ? frame_.axes[at(handle_.axis)] : viewer_;
 }
 
-/// Where the swept angle begins in the picture.
+/// Finds where the swept angle begins in the picture.
 void MotionGesture::find_grip(const View& view, const ScreenPoint& press) {
   const Vec3 about = axis();
   const auto [origin, direction] = view.unproject(press);
@@ -110,7 +110,7 @@ bool MotionGesture::drag_to(const ScreenPoint& mouse, Modifiers modifiers, const
   return set_way(next);
 }
 
-/// From where the mouse was pressed at once, so that no path adds up.
+/// The move from the point of the press directly, so that the path of the mouse does not matter.
 Vec3 MotionGesture::moved_to(const View& view) const {
   const auto along = directions();
   const ScreenPoint press = view.project(from_).at, mouse = view.project(to_).at;

@@ -6,7 +6,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// Of what would be moved: where it is on screen now, and its directions.
+/// Place and directions of what would be moved.
 std::optional<GizmoPlace> place_of(const ViewportScene& scene, const View& view) {
   const Session& session = scene.session;
   const Selection& selection = session.selection();
@@ -19,9 +19,9 @@ std::optional<GizmoPlace> place_of(const ViewportScene& scene, const View& view)
                       .in_plane = !view.turns(),
                       .reach = scene.reach};
   }
-  // Of a plane mesh nodes are dragged themselves.
+  // In a plane mesh, nodes are dragged without a handle.
   const auto* held = selection.space().held(selection.shape_edit());
-  // What is being carried out is where the mesh says, not where it was held.
+  // During a job, the mesh determines the place, not the held nodes.
   if (!held || session.job().active()) return std::nullopt;
   GizmoPlace place{
       .pivot = held->centre, .frame = GizmoFrame::about(held->normal, "normal"), .turns = false};
@@ -71,7 +71,7 @@ void Mover::drag(const PointerFrame& frame, const PointerState& before) {
   const std::array<bool, 3> was{before.key_x, before.key_y, before.key_z};
   for (int k = 0; k < 3; ++k)
     if (now[at(k)] && !was[at(k)]) gesture_.toggle_axis(k, frame.view);
-  // Before Enter counts, which may have come in the same frame.
+  // Typed numbers come before Enter, which may be pressed in the same frame.
   if (take_typed(frame, before)) frame.actions.emplace_back(action::DragTo{gesture_.motion()});
   if (p.cancel || (p.accept && !before.accept)) return end(p.cancel, frame.actions);
   if (!typed_.active() && gesture_.drag_to(p.position, {p.shift, p.control}, frame.view))
@@ -85,9 +85,9 @@ bool Mover::take_typed(const PointerFrame& frame, const PointerState& before) {
   bool changed = typed_.type(p.text);
   if (p.erase && !before.erase) changed |= typed_.erase();
   if (p.next && !before.next) typed_.next(gesture_.typed_fields());
-  // An axis may have been chosen since.
+  // An axis may have been chosen in the meantime.
   if (typed_.active()) return gesture_.type(typed_);
-  // Without numbers the mouse counts again, from where it is.
+  // Without numbers the mouse counts again, from its present place.
   return changed && was_active && gesture_.drag_to(p.position, {p.shift, p.control}, frame.view);
 }
 

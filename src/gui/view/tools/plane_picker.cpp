@@ -52,19 +52,19 @@ namespace {
 
 constexpr double snap_radius = 14;  // framebuffer pixels at scale 1
 
-/// So many pixels, in units of the mesh.
+/// Length of so many pixels, in units of the mesh.
 double reach(double pixels, const PointerFrame& frame) {
   return pixels * frame.scene.scale * frame.view.pixel_size(Vec3(0, 0, 0));
 }
 
-/// A body counts as one: it is not taken by half.
+/// False if any marker of a body is exempt from the mouse: a body is picked whole or not at all.
 bool free_to_take(const std::vector<Index>& markers, const ViewportScene& scene) {
   return std::ranges::none_of(
       markers, [&](Index m) { return std::ranges::binary_search(scene.taken_out, m); });
 }
 
 bool encloses(std::span<const Index> corners, const Coordinates& x, const Vec2& point) {
-  // The crossing rule, which asks nothing of how the element is turned.
+  // The crossing rule, which works for either orientation of the element.
   bool inside = false;
   for (std::size_t k = 0, last = corners.size() - 1; k < corners.size(); last = k++)
     if (right_of<Vec2>(point, x.xy(corners[k]), x.xy(corners[last]))) inside = !inside;
@@ -88,7 +88,7 @@ const ShapeEdit& edit_of(const PointerFrame& frame) {
 
 }  // namespace
 
-/// The coordinates are looked at, not copied, unless they are to be indexed anew.
+/// Copies the coordinates only if they are to be indexed anew.
 std::optional<Index> PlanePicker::node_near(const ScreenPoint& at, const PointerFrame& frame) {
   const Session& session = frame.scene.session;
   if (!session.in_motion())
@@ -145,7 +145,7 @@ std::optional<Vec3> PlanePicker::grab(const PointerFrame& frame) {
   return selection.space_pivot();
 }
 
-/// The node under the mouse, or the arc that was held up to it.
+/// Holds the node under the mouse, or extends the held arc to it.
 void PlanePicker::hold(bool extend, const PointerFrame& frame) const {
   const auto& held = edit_of(frame).arc;
   BoundaryArc arc{corner_->body, corner_->position, corner_->position};
@@ -220,7 +220,7 @@ PlanePicker::PivotPlacing PlanePicker::place_pivot(const PointerFrame& frame) {
     best = (point - mouse).norm();
     placing = {point, name};
   };
-  // Points with a name pull harder: a leading edge has nodes close by, and is one.
+  // Named points attract more strongly: a leading edge has nodes close by, and is a node itself.
   if (const auto& anchors = frame.scene.session.selection().anchors())
     for (const PivotPlace place : {PivotPlace::leading_edge, PivotPlace::trailing_edge,
                                    PivotPlace::centroid, PivotPlace::centre})

@@ -13,7 +13,7 @@ void Ruler::update(const PointerState& pointer, const std::optional<RulerPoint>&
   hovered_ = under;
   if (pressed && pointer.over) press_ = pointer.position;
   if (!released || !press_) return;
-  // What goes farther moves the view.
+  // A longer movement is a drag of the view.
   const bool click = (pointer.position - *press_).norm() <= drag_threshold * scale;
   press_.reset();
   if (!click || !hovered_) return;
@@ -21,10 +21,10 @@ void Ruler::update(const PointerState& pointer, const std::optional<RulerPoint>&
   points_.push_back(*hovered_);
 }
 
-/// Goes with the mesh.
+/// Moves points on nodes with the mesh.
 void Ruler::update(const Session& session) {
   const auto& topology = session.topology();
-  // Another mesh, or other elements: the numbers of nodes mean others.
+  // Another mesh, or other elements: the numbers of nodes have another meaning.
   if (topology_ != topology) {
     for (RulerPoint& point : points_) point.node.reset();
     topology_ = topology;

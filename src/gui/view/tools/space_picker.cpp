@@ -32,8 +32,8 @@ std::vector<Index> seen_face(const SeenPlace& seen, const Mesh& mesh) {
     const Vec3 area = area_vector(x, face);
     if (!(area.norm() > 0)) continue;
     const Vec3 normal = area.normalized();
-    // How far the place is from the face's plane, and how much the surface seen is turned against
-    // it.
+    // Distance of the place from the face's plane, and angle between the visible surface and the
+    // face.
     const double off =
         std::abs(normal.dot(seen.point - centre_of(x, face))) / std::sqrt(area.norm());
     const double turned = 1 - std::abs(normal.dot(seen.normal));
@@ -70,7 +70,7 @@ std::optional<PivotSource> PivotPicker::source_at(const SeenPlace& seen, PivotFr
     const auto distance = [&](std::size_t k) {
       const Index a = face[k], b = face[(k + 1) % face.size()];
       const bool sharp = std::ranges::binary_search(sharp_, std::array<Index, 2>{a, b});
-      // Sharp edges are what one means by a hinge.
+      // Hinges usually lie on sharp edges.
       return (sharp ? 0.4 : 1.0) *
              distance_to_edge(seen.point, mesh.coordinates.xyz(a), mesh.coordinates.xyz(b));
     };
@@ -102,7 +102,7 @@ void PivotPicker::find_sharp_edges(const Session& session) {
   std::ranges::sort(sharp_);
 }
 
-/// From edge to edge, straight on, as long as none leaves the direction of the first.
+/// Walks from edge to edge, as long as none leaves the direction of the first.
 Index PivotPicker::end_of_row(Index from, Index to, const Coordinates& x) const {
   const double least = std::cos(radians(straight_turn));
   const Vec3 direction = (x.xyz(to) - x.xyz(from)).normalized();
@@ -141,7 +141,7 @@ struct OnBorder {
   Vec3 point{0, 0, 0};
 };
 
-/// The nearest place of an edge, if it is nearer than what was found.
+/// Replaces `best` by the nearest place of an edge, if that is nearer.
 void take_nearer(OnBorder& best, const ScreenPoint& at, Index marker,
                  const std::array<Index, 2>& edge, const SpacePoints& x, const View& view) {
   const Vec3 a = x[edge[0]], b = x[edge[1]];
@@ -154,9 +154,9 @@ void take_nearer(OnBorder& best, const ScreenPoint& at, Index marker,
   if (distance < best.distance) best = {distance, marker, edge, a + share * (b - a)};
 }
 
-/// No surface lies before it.
+/// True if no surface hides the point.
 bool is_seen(const Vec3& point, const VolumeView& picture, const View& view) {
-  constexpr double slack = 6;  // pixels: the surface is nowhere nearer to its border
+  constexpr double slack = 6;  // pixels, since the surface touches its border
   const View::Projection there = view.project(point);
   const auto hit = picture.pick(view, there.at);
   return !hit || view.project(hit->point).depth > there.depth - slack * view.pixel_size(point);
@@ -198,7 +198,7 @@ namespace {
 std::optional<SeenPlace> seen_at(const ScreenPoint& at, const PointerFrame& frame) {
   const ViewportScene& scene = frame.scene;
   const auto hit = scene.picture.pick(frame.view, at);
-  // One aims at a line from beside it, too.
+  // A line can be picked from beside it, too.
   const auto border = seen_border(at, boundary_radius * scene.scale, scene.picture, frame.view,
                                   scene.options.markers);
   if (!hit && !border) return std::nullopt;
@@ -216,8 +216,8 @@ std::optional<SeenPlace> seen_at(const ScreenPoint& at, const PointerFrame& fram
   return seen;
 }
 
-/// What lies at a place; if it is not what is wanted, the first of eight places around it that is:
-/// one aims at the rim of a body from beside it, too. reach: pixels.
+/// What lies at a place if it is wanted, else the first wanted of eight places around it, so that
+/// the rim of a body can be picked from beside it. reach: pixels.
 template <class Wanted>
 std::optional<SeenPlace> seen_near(const std::optional<SeenPlace>& there, double reach,
                                    const PointerFrame& frame, const Wanted& wanted) {
@@ -234,7 +234,7 @@ std::optional<SeenPlace> seen_near(const std::optional<SeenPlace>& there, double
 
 bool on_surface(const SeenPlace& place) { return place.marker >= 0; }
 
-/// The face of the boundary at a place that is seen; none: a part of a cut or of an element within.
+/// The face of the boundary at a visible place; none: the place is on a cut or on an inner element.
 std::optional<Index> face_at(const Session& session, const SeenPlace& seen) {
   const Topology& topology = *session.topology();
   const SpacePoints x(session.coordinates());
@@ -276,7 +276,7 @@ void SpacePicker::find(const PointerFrame& frame, bool handled) {
     found_.markers = {seen_->marker};
 }
 
-/// What the tools would do with what is under the mouse.
+/// Finds what the tools would do with what is under the mouse.
 void SpacePicker::find_held(const PointerFrame& frame) {
   const ViewportScene& scene = frame.scene;
   const Selection& selection = scene.session.selection();
@@ -304,7 +304,7 @@ std::optional<Vec3> SpacePicker::point(const PointerFrame& /*frame*/) const {
   return seen_ ? std::optional(seen_->point) : std::nullopt;
 }
 
-/// What is in the middle of the view, or of the mesh.
+/// The visible point in the middle of the view, or else the middle of the mesh.
 Vec3 SpacePicker::middle(const PointerFrame& frame) const {
   const VolumeView& picture = frame.scene.picture;
   const ScreenBox box = frame.view.viewport();
@@ -315,7 +315,7 @@ Vec3 SpacePicker::middle(const PointerFrame& frame) const {
   return box.contains(frame.view.project(middle).at) ? middle : centre;
 }
 
-/// A node of the boundary, and what is held together with it.
+/// Grabs a node of the boundary, and the nodes that are held with it.
 std::optional<Vec3> SpacePicker::grab(const PointerFrame& frame) {
   if (!takes()) return std::nullopt;
   const Session& session = frame.scene.session;
@@ -376,7 +376,7 @@ bool SpacePicker::click_for_pivot(const PointerFrame& frame) const {
   return true;
 }
 
-/// Holds what is under the mouse, or lets go of what was held.
+/// Holds what is under the mouse, or releases what was held.
 void SpacePicker::click_for_shape(bool add, const PointerFrame& frame) const {
   const Selection& selection = frame.scene.session.selection();
   const auto& before = selection.shape_edit().patch;
@@ -387,7 +387,7 @@ void SpacePicker::click_for_shape(bool add, const PointerFrame& frame) const {
   SurfacePatch patch;
   if (add && before) patch = *before;
   patch.nodes.insert(patch.nodes.end(), held().begin(), held().end());
-  // A drag fades over all of what is selected, or over the marker alone.
+  // A drag fades over the whole selection, or over this marker alone.
   patch.markers.push_back(surface_->marker);
   if (selection.contains(surface_->marker))
     patch.markers.insert(patch.markers.end(), selection.markers().begin(),
@@ -399,8 +399,8 @@ void SpacePicker::click_for_shape(bool add, const PointerFrame& frame) const {
   frame.actions.emplace_back(action::SelectPatch{std::move(patch)});
 }
 
-/// What is under the mouse, or a node so near to it that it is meant: a corner of a body has
-/// nothing beside it to be under the mouse.
+/// The place under the mouse, or a node close to it: beside the corner of a body, nothing is under
+/// the mouse.
 std::optional<RulerPoint> SpacePicker::ruler_point(const PointerFrame& frame) {
   constexpr double beside_node = 6;  // pixels
   if (!frame.pointer.over) return std::nullopt;

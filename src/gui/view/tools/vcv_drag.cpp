@@ -36,16 +36,16 @@ VcvEdit VcvDrag::to(const Vec2& point, Constraint constraint, double longest) co
     const double least = std::min(shortest * mean, edit.lengths[edge_]);
     edit.lengths[edge_] = std::clamp(point.norm(), least, std::max(longest, least));
   }
-  // The angles of two edges are fixed: 180 degrees each.
+  // With two edges, the angles are fixed at 180 degrees each.
   if (constraint != Constraint::length_only && n > 2 && point.norm() > 0) {
     double& before = edit.angles[(edge_ + n - 1) % n];
     double& after = edit.angles[edge_];
     const double sum = before + after;
     double turned = degrees(std::atan2(point.y(), point.x())) - before_;
     turned -= 360 * std::floor(turned / 360);
-    // Beyond both neighbours, the nearer of them.
+    // Beyond both neighbours, the nearer one limits the angle.
     if (turned > 0.5 * (sum + 360)) turned -= 360;
-    // A VCV of a recipe may have wider and narrower angles than a drag makes.
+    // The VCV of a recipe may have wider and narrower angles than a drag allows.
     const double least = std::min(smallest_angle, 0.5 * sum);
     const double most = std::max(largest_angle, 0.5 * sum);
     before = std::clamp(turned, std::max(least, sum - most), std::min(most, sum - least));
@@ -65,7 +65,7 @@ constexpr double least_share = 0.02;    // of the equal solid angle
 constexpr double shortest_share = 0.1;  // of the mean length
 constexpr int halvings = 24;
 
-/// On the way from one unit vector to another; of opposite ones there is none.
+/// Interpolates between two unit vectors; returns `a` for opposite ones.
 Vec3 between(const Vec3& a, const Vec3& b, double share) {
   const Vec3 sum = (1 - share) * a + share * b;
   return sum.norm() > 1e-9 ? Vec3(sum.normalized()) : a;
@@ -78,7 +78,7 @@ SphereDrag::SphereDrag(const VolumeNodalView& view, std::size_t edge)
   for (const Vec3& p : view.vcv.points) stencil_.directions.push_back(p.normalized());
   stencil_.lengths = view.vcv.lengths;
   const double start = least_angle_at(link_, stencil_.directions, static_cast<Index>(edge_)).share;
-  least_ = std::min(least_share, 0.5 * start);  // one of a recipe may be narrower
+  least_ = std::min(least_share, 0.5 * start);  // a triangle of a recipe may be narrower
   shortest_ = std::min(shortest_share * view.vcv.mean_length(), stencil_.lengths[edge_]);
 }
 

@@ -6,10 +6,10 @@ namespace {
 
 constexpr double zoom_per_notch = 1.2;
 
-/// The wheel in a drag of a part of the boundary: how far it fades.
+/// The wheel sets how far a drag of the boundary fades.
 void turn_radius(const PointerFrame& frame, const Vec3& at) {
   const double factor = std::pow(zoom_per_notch, frame.pointer.wheel);
-  // From nothing it grows to something that can be seen.
+  // From 0, the radius grows to one that is visible.
   const double least = 10 * frame.view.pixel_size(at);
   const double now = frame.scene.session.selection().shape_edit().radius;
   const double radius = std::max(now * factor, frame.pointer.wheel > 0 ? least : 0.0);
@@ -22,7 +22,7 @@ std::optional<ScreenPoint> ContextClick::update(const PointerState& pointer, dou
   const bool pressed = pointer.right && !was_down_;
   const bool released = !pointer.right && was_down_;
   was_down_ = pointer.right;
-  // With Control the right button draws the box to zoom to.
+  // Control with the right button draws the box to zoom to.
   if (pressed && pointer.over && !pointer.control && !pointer.left) press_ = pointer.position;
   if (press_ && (pointer.position - *press_).norm() > drag_threshold * scale) press_.reset();
   if (pointer.left) press_.reset();
@@ -79,7 +79,7 @@ void Viewport::hover(const PointerFrame& frame) {
 void Viewport::wheel(const PointerFrame& frame) {
   if (mover_.shapes()) return turn_radius(frame, mover_.gesture().pivot());
   if (gesture_ == Gesture::cut) return;
-  // What lies under the mouse stays there.
+  // The point under the mouse stays there.
   Vec3 depth = dragging() ? mover_.gesture().pivot() : centre_;
   std::optional<Vec3> there;
   if (gesture_ == Gesture::none) {
@@ -123,7 +123,7 @@ void Viewport::take_handle(const PointerFrame& frame) {
   }
 }
 
-/// The mouse has gone far enough from where it was pressed: this is no click.
+/// Called when the mouse is so far from the press that it is no click.
 void Viewport::leave_press(const PointerFrame& frame) {
   last_.position = press_;
   gesture_ = frame.view.turns() ? Gesture::orbit : Gesture::pan;
@@ -158,7 +158,7 @@ void Viewport::follow_move(const PointerFrame& frame) {
   mover_.drag(frame, last_);
   picker_->look_again();
   if (mover_.dragging()) return;
-  // A click on a handle is one on the node behind it, too.
+  // A click on a handle also counts for the node behind it.
   if (clicks_ && !p.left && !p.cancel && !p.click_taken) picker_->inspect(frame);
   done();
 }
