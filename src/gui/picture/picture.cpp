@@ -18,13 +18,13 @@ void check(const PictureOptions& options) {
   check_colors(options.color, options.colors);
 }
 
-/// Of what elements are coloured by.
+/// Values of the field by which elements are coloured.
 std::vector<double> field_values(const VirtualControlVolumes& vcv, const Mesh& mesh,
                                  const PictureOptions& options) {
   return element_values(vcv, mesh.coordinates, *options.color, 0, {.before = options.before.get()});
 }
 
-/// What a picture shows and says of a mesh, in pixels and as vector graphics.
+/// Content and texts of a picture of a mesh, in pixels and as vector graphics.
 struct Content {
   std::vector<NodalView> nodes;
   std::vector<double> values;

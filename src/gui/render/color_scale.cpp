@@ -8,10 +8,10 @@
 namespace winslow::gui {
 namespace {
 
-/// Evenly spaced colours of a map (0xRRGGBB), published ones but for neutral and glacier, which are
-/// our own: their light ends leave the lines of a good mesh legible. Smooth interpolation between
-/// them stays within a few of 255 of the published tables. A diverging map has an odd number: one
-/// is the middle.
+/// Evenly spaced colours of a map (0xRRGGBB). They are published ones, except for our own neutral
+/// and glacier, whose light ends leave the lines of a good mesh legible. Smooth interpolation
+/// between them stays within a few of 255 of the published tables. A diverging map has an odd
+/// number, with one in the middle.
 struct Map {
   std::string_view name;
   std::array<std::uint32_t, 11> stops;
@@ -48,7 +48,7 @@ constexpr std::array<Map, 8> maps{{
      11},
 }};
 
-/// Neutral on a dark ground.
+/// Neutral on a dark background.
 constexpr Map neutral_on_dark{"neutral",
                               {0xF6E3FF, 0xDDBBF2, 0xBF94DC, 0x9C71BE, 0x79559A, 0x5B4576, 0x463B5A,
                                0x39364A, 0x303340, 0x2A303A}};
@@ -61,7 +61,7 @@ constexpr Rgb to_rgb(std::uint32_t color) {
   return {channel(color, 0), channel(color, 1), channel(color, 2)};
 }
 
-/// Catmull-Rom spline through the stops.
+/// Interpolates with a Catmull-Rom spline through the stops.
 Rgb interpolate(const Map& map, double t) {
   const double position = std::clamp(t, 0.0, 1.0) * (map.count - 1);
   const int k = std::min(static_cast<int>(position), map.count - 2);
@@ -93,12 +93,13 @@ const Map& find_map(std::string_view name) {
   return *found;
 }
 
-/// Share of a diverging map: each side of the centre has half of it, however short its range.
+/// Position in a diverging map: each side of the centre has half of the map, however short its
+/// range.
 double diverging_share(const ColorScale& scale, double centre, double value) {
   const double side = (value < centre ? scale.low : scale.high) - centre;
   const double away = value - centre;
   if (away == 0) return 0.5;
-  // A side without extent is left at once.
+  // On a side without extent, every value lies at its end.
   const double share = side * away > 0 ? std::min(away / side, 1.0) : 1.0;
   return 0.5 + std::copysign(0.5 * share, away);
 }
@@ -138,7 +139,7 @@ Rgb ColorScale::color(double value) const {
   int steps = bands;
   if (diverges()) {
     t = diverging_share(*this, *centre, value);
-    // An odd one would have both signs in it.
+    // With an odd number, the middle band would contain both signs.
     if (steps > 1) steps -= steps % 2;
   }
   if (steps > 1) t = std::min(std::floor(t * steps), steps - 1.0) / (steps - 1.0);
@@ -177,7 +178,7 @@ double percentile(std::vector<double>& values, double share) {
   return values[static_cast<std::size_t>(k)];
 }
 
-/// Range and direction of a linear scale that nobody chose.
+/// Sets range and direction of a linear scale for which the user chose no range.
 void set_linear(ColorScale& scale, ColorRange range, std::vector<double>& finite) {
   constexpr double robust = 0.995;
   const double high = percentile(finite, robust);
@@ -201,7 +202,7 @@ void set_linear(ColorScale& scale, ColorRange range, std::vector<double>& finite
       scale.high = high > scale.low ? round_up_nicely(high) : scale.low + 1;
       break;
     case ColorRange::around_one: {
-      constexpr double least = 1.1;  // what is off by rounding alone is not to fill the map
+      constexpr double least = 1.1;  // deviations by rounding must not fill the map
       scale.low = finite.empty() ? 1 / least : std::min(percentile(finite, 1 - robust), 1 / least);
       scale.high = std::max(round_up_nicely(high), least);
       break;
@@ -219,7 +220,7 @@ std::vector<double> positive(const std::vector<double>& values) {
   return found;
 }
 
-/// Most elements would have the colours of one end of the linear scale.
+/// True if a linear scale would show most elements in the colours of one end.
 bool wants_ratios(const ElementField& field, std::vector<double>& above_zero) {
   constexpr double flat = 20;
   const ColorRange range = field_info(field).colors;
@@ -230,7 +231,7 @@ bool wants_ratios(const ElementField& field, std::vector<double>& above_zero) {
   return low > 0 && percentile(above_zero, 0.99) > flat * low;
 }
 
-/// From the first to the last percentile of what is positive.
+/// Sets a logarithmic range from the first to the last percentile of the positive values.
 void set_by_ratio(ColorScale& scale, ColorRange range, std::vector<double>& above_zero) {
   const double low = range == ColorRange::from_one ? 1 : percentile(above_zero, 0.01);
   const double high = percentile(above_zero, 0.99);
@@ -240,7 +241,7 @@ void set_by_ratio(ColorScale& scale, ColorRange range, std::vector<double>& abov
   scale.logarithmic = true;
 }
 
-/// The range that a user chose, if it is one.
+/// Sets the range that the user chose, if it is valid.
 void set_range(ColorScale& scale, const std::array<double, 2>& range) {
   if (!(range[1] > range[0])) return;
   scale.low = range[0];
@@ -287,7 +288,7 @@ ColorScale color_scale(const ElementField& field, std::span<const double> values
   }
   if (choice.range) set_range(scale, *choice.range);
   scale.logarithmic = ratios && scale.low > 0;
-  // Over decades there is structure to see at both ends, and nothing to recede.
+  // Over decades, both ends have structure, and nothing should recede.
   if (choice.map == "automatic" && scale.by_ratio()) scale.map = "viridis";
   return scale;
 }

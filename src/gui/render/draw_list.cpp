@@ -14,7 +14,7 @@ std::uint64_t edge_key(Index a, Index b) {
   return (high << 32U) | low;
 }
 
-/// What fills a DrawList with a mesh.
+/// Base of the classes that fill a DrawList with a mesh.
 class MeshFiller {
  protected:
   MeshFiller(const Topology& topology, const Coordinates& coordinates, const Vec2& origin)
@@ -44,7 +44,7 @@ class MeshFiller {
   DrawList list_;
 };
 
-/// Its vertices are the nodes.
+/// Fills a DrawList with the whole mesh; vertices are nodes.
 class WholeMesh : MeshFiller {
  public:
   WholeMesh(const Topology& topology, const Coordinates& coordinates, const Vec2& origin)
@@ -98,7 +98,7 @@ class WholeMesh : MeshFiller {
     }
   }
 
-  /// The diagonal that cuts a quadrilateral is no line.
+  /// The diagonal that cuts a quadrilateral does not count as a line.
   void add_triangle_lines(std::span<const Index> corners, const std::array<int, 3>& cut) {
     std::array<Vec2, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = coordinates_.xy(corners[at(cut[k])]);
@@ -164,7 +164,7 @@ DrawList whole_draw_list(const Topology& topology, const EdgeGroups& groups,
 
 namespace {
 
-/// Fills a DrawList with what a box cuts out; every piece has vertices of its own.
+/// Fills a DrawList with the part of a mesh in a box; every piece has vertices of its own.
 class ClippedMesh : MeshFiller {
  public:
   ClippedMesh(const Topology& topology, const Coordinates& coordinates, const Bounds& box)
@@ -173,7 +173,7 @@ class ClippedMesh : MeshFiller {
   DrawList build(const EdgeGroups& groups) {
     for (Index e = 0; e < topology_.element_count(); ++e) add_element(e);
     list_.interior = add_edges(groups.interior);
-    // Of the interior alone: what comes after is never hidden with its elements.
+    // Only for the interior: lines added later are never hidden with their elements.
     list_.line_edge = std::move(edges_);
     hide_covered(list_);
     sort_by_spacing(list_);
@@ -312,12 +312,12 @@ namespace {
 
 constexpr std::size_t class_count = 2048;
 
-/// Exponent and the first three bits of the fraction: grows with the value.
+/// Class of a spacing: exponent and first three bits of the fraction, which grow with the value.
 std::size_t spacing_class(float spacing) {
   return (std::bit_cast<std::uint32_t>(std::max(spacing, 0.0f)) >> 20U) & (class_count - 1);
 }
 
-/// The smallest spacing of the class of one: lines_spaced() is exact for those.
+/// The smallest spacing in the class of a spacing; lines_spaced() is exact for it.
 float class_floor(float spacing) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(spacing) & ~((1U << 20U) - 1U));
 }

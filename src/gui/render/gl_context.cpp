@@ -2,8 +2,8 @@
 
 #ifdef WINSLOW_HAS_OSMESA
 
-// The loader's header stands in for GL/gl.h, which osmesa.h would include; these two macros are all
-// that it takes from there besides the types.
+// The loader's header stands in for GL/gl.h, which osmesa.h would include; besides the types,
+// osmesa.h needs only these two macros from there.
 #ifndef GLAPI
 #define GLAPI extern
 #endif
@@ -66,7 +66,7 @@ class OsmesaContext : public HeadlessContext {
   }
 
  private:
-  /// OSMesa cannot say what its current context draws into, so this class remembers.
+  /// OSMesa cannot report the target of its current context, so this class remembers it.
   static OsmesaContext*& innermost() {
     static thread_local OsmesaContext* instance = nullptr;
     return instance;
@@ -117,8 +117,8 @@ bool has_extension(const char* list, std::string_view name) {
   return list != nullptr && std::string_view(list).find(name) != std::string_view::npos;
 }
 
-/// The functions of EGL that are needed. The library is loaded with the first picture, so that the
-/// program starts, and does all that draws nothing, on machines without it.
+/// The functions of EGL that are needed. The library is loaded with the first picture, so that
+/// everything that draws nothing works on machines without it.
 struct Egl {
   PFNEGLBINDAPIPROC bind_api;
   PFNEGLCHOOSECONFIGPROC choose_config;
@@ -163,14 +163,14 @@ Egl load_egl() {
   return egl;
 }
 
-/// Throws Error as long as EGL is not there.
+/// The functions of EGL. Throws Error if EGL cannot be loaded.
 const Egl& egl() {
   static const Egl loaded = load_egl();
   return loaded;
 }
 
-/// The surfaceless platform works with no display at all; the default display is the fallback for
-/// drivers that do not know it.
+/// The surfaceless platform needs no display; the default display is the fallback for drivers
+/// without it.
 EGLDisplay find_display() {
   const char* extensions = egl().query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   if (has_extension(extensions, "EGL_MESA_platform_surfaceless")) {
@@ -185,8 +185,8 @@ EGLDisplay find_display() {
   return egl().get_display(EGL_DEFAULT_DISPLAY);
 }
 
-/// The display is the process's: EGL gives every caller the same one, and Mesa, closed and opened
-/// again, loads its driver anew and loses the memory of the one before. So it is opened once.
+/// Opens the display once per process: EGL gives every caller the same one. Mesa, if closed and
+/// opened again, reloads its driver and leaks the memory of the previous one.
 EGLDisplay open_display() {
   static std::mutex mutex;
   static EGLDisplay display = EGL_NO_DISPLAY;
@@ -241,8 +241,8 @@ class EglContext : public HeadlessContext {
   }
 
  private:
-  /// A context without surfaces needs no particular config; drivers without the extension that says
-  /// so get the first one that can draw OpenGL.
+  /// A context without surfaces needs no particular config. Drivers without the extension for that
+  /// get the first config that can draw OpenGL.
   EGLConfig choose_config() const {
     constexpr std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE,
                                            EGL_PBUFFER_BIT, EGL_NONE};

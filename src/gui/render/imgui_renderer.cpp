@@ -77,7 +77,8 @@ void ImGuiRenderer::upload_fonts() {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
   atlas.SetTexID(texture_id(font_texture_));
-  // The texture has them now: copies of up to 32 MB, in large pictures, and of every font's file.
+  // The texture holds the fonts now. The copies take up to 32 MB in large pictures, plus every
+  // font's file.
   atlas.ClearTexData();
   atlas.ClearInputData();
 }
@@ -105,7 +106,7 @@ void ImGuiRenderer::draw(const ImDrawData& data) {
     indices_.upload(std::span<const ImDrawIdx>(list.IdxBuffer.begin(), list.IdxBuffer.end()));
     for (const ImDrawCmd& command : list.CmdBuffer) {
       if (command.UserCallback != nullptr) {
-        // It may draw whatever it likes, however it likes.
+        // The callback may change any state of OpenGL.
         command.UserCallback(&list, &command);
         prepare(data, width, height);
         vertices_.bind();

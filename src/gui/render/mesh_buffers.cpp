@@ -11,7 +11,7 @@ std::span<const T> view(const std::vector<T>& values) {
   return values;
 }
 
-/// Of the vertex shaders.
+/// Attribute locations in the vertex shaders.
 constexpr GLuint position_attribute = 0, spacing_attribute = 1, height_attribute = 2;
 
 void draw_elements(GLenum mode, std::size_t first, std::size_t count) {
@@ -77,7 +77,7 @@ void MeshBuffers::set_element_colors(std::span<const std::uint32_t> rgba) {
   triangle_colors_.upload(view(colors));
 }
 
-/// What is seen of a mesh that lies over itself depends on which elements are see-through.
+/// The visible parts of a mesh that overlaps itself depend on which elements are see-through.
 void MeshBuffers::upload_seen_through(std::span<const std::uint32_t> rgba) {
   if (!seen_through(list_, rgba)) return;
   glBindVertexArray(vertex_array_);
@@ -104,7 +104,7 @@ void MeshBuffers::begin(const Camera& camera) {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glClear(GL_DEPTH_BUFFER_BIT);
-  // Nothing is cut off for lying too near or too far; edges lie above the faces that they bound.
+  // Nothing is clipped for being too near or too far; edges lie above the faces that they bound.
   glEnable(GL_DEPTH_CLAMP);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1, 1);
@@ -141,7 +141,7 @@ DrawList::Range MeshBuffers::triangles_seen(bool below_inverted) const {
                    seen.beside_inverted.count != seen.alone.count;
   if (below_inverted && cut) return seen.beside_inverted;
   if (!see_through_) return seen.alone;
-  // Elements that lie side by side have none to see through.
+  // Without overlaps, there is nothing to see through to.
   return seen.alone.first == seen.whole.first ? seen.whole : seen.through;
 }
 

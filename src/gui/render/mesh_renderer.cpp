@@ -7,12 +7,12 @@
 namespace winslow::gui {
 namespace {
 
-/// Above this many pixels from end to end, single precision would displace the ends of long edges
-/// visibly (2^19 pixels: by 0.03 of one); the mesh is then cut to the view in double precision.
+/// Above this size of the mesh in pixels, single precision would displace the ends of long edges
+/// visibly (2^19 pixels: by 0.03 of one); the mesh is then clipped to the view in double precision.
 constexpr double most_pixels = 524288;
-/// The view is cut with room around it, so that panning does not cut again at once ...
+/// The mesh is clipped with room around the view, so that panning does not clip again at once ...
 constexpr double room = 1.5;
-/// ... and again when the view has shrunk to this share of what was cut.
+/// ... and again when the view has shrunk to this share of the clipped part.
 constexpr double smallest_share = 1.0 / 64.0;
 
 bool contains(const Bounds& outer, const Bounds& inner) {
@@ -52,8 +52,8 @@ std::uint32_t pack_color(const Rgb& color) {
   return byte(color[0]) | (byte(color[1]) << 8U) | (byte(color[2]) << 16U) | 0xFF000000U;
 }
 
-/// Sampling the map per element would dominate the update of a large mesh: a table of 1024 colours
-/// is finer than 8 bits can show.
+/// Uses a table of 1024 colours, finer than 8 bits can show: sampling the map per element would
+/// dominate the update of a large mesh.
 std::vector<std::uint32_t> element_colors(std::span<const double> values, const ColorScale& scale,
                                           std::span<const float> opacity) {
   constexpr std::size_t size = 1024;
@@ -77,7 +77,7 @@ std::vector<std::uint32_t> element_colors(std::span<const double> values, const 
   return colors;
 }
 
-/// What is on the graphics card: the whole mesh, or what one view has cut out of it.
+/// A part of the mesh on the graphics card: all of it, or what was clipped to one view.
 struct MeshRenderer::Part {
   MeshBuffers buffers;
   Bounds cut;
@@ -128,7 +128,7 @@ void MeshRenderer::recolor() {
     if (cut) cut->colors_stale = cut->opacity_stale = true;
 }
 
-/// Brings a part up to date with the mesh and with how deep the camera looks into it.
+/// Brings a part up to date with the mesh and the zoom of the camera.
 MeshRenderer::Part& MeshRenderer::prepare(const Camera& camera, int view) {
   const bool deep = mesh_.extent.size().maxCoeff() / camera.units_per_pixel() > most_pixels;
   auto& own = cuts_[static_cast<std::size_t>(std::clamp(view, 0, 1))];
@@ -145,7 +145,7 @@ MeshRenderer::Part& MeshRenderer::prepare(const Camera& camera, int view) {
     }
   } else if (part.stale) {
     part.colors_stale |= part.buffers.upload(std::move(mesh_.whole));
-    part.opacity_stale = true;  // lines come in another order
+    part.opacity_stale = true;  // the order of lines changes
   }
   part.stale = false;
   if (part.colors_stale) part.buffers.set_element_colors(colors_);
@@ -154,7 +154,7 @@ MeshRenderer::Part& MeshRenderer::prepare(const Camera& camera, int view) {
   return part;
 }
 
-/// Of the interior lines; empty: all are drawn in full.
+/// Opacity of the interior lines; empty: all are drawn in full.
 std::vector<float> MeshRenderer::line_opacity(const DrawList& list) const {
   std::vector<float> lines;
   if (opacity_.empty()) return lines;
@@ -225,7 +225,7 @@ void MeshRenderer::draw(const Camera& camera, const MeshStyle& style, int frameb
 
 namespace {
 
-// Finer than 8 bits can show between colours this close.
+// More steps than 8 bits can show between colours so close.
 constexpr int steps = 64;
 
 float luminance(const Rgba& c) { return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2]; }
@@ -246,7 +246,7 @@ void draw_backdrop(const Camera& camera, const Camera& whole, const BackdropColo
   const int strips = colors.top == colors.bottom ? 1 : std::min(steps, full);
   glEnable(GL_SCISSOR_TEST);
   for (int k = 0; k < strips; ++k) {
-    // The first and the last go on to the rim: rounding must leave no gap.
+    // The first and the last strip extend to the rim: rounding must leave no gap.
     const int from = k == 0 ? 0 : std::clamp(top + full * k / strips, 0, height);
     const int to = k + 1 == strips ? height : std::clamp(top + full * (k + 1) / strips, 0, height);
     if (to <= from) continue;

@@ -8,21 +8,21 @@ namespace winslow::gui {
 
 using Triangle = std::array<Vec2, 3>;
 
-/// A box divided into cells, and which of them are covered by a triangle: what lies behind those
-/// alone is not seen.
+/// A grid of cells over a box that records which cells a triangle covers completely: what lies only
+/// behind covered cells is invisible.
 class CellCover {
  public:
   explicit CellCover(const Bounds& box)
       : origin_(box.min), size_((box.size().array() / count).matrix()) {}
 
-  /// What of a triangle is seen: whole, or convex pieces of it (counter-clockwise or as the
-  /// triangle is turned).
+  /// Receives the visible part of a triangle: all of it, or convex pieces (counter-clockwise or in
+  /// the orientation of the triangle).
   using Piece = std::function<void(const std::vector<Vec2>& polygon)>;
 
-  /// Hands over what of a triangle is not behind what is covered so far. add: covers what it
-  /// covers.
+  /// Passes on what of a triangle is not behind covered cells. add: the triangle then covers cells,
+  /// too.
   void cut(const Triangle& triangle, bool add, const Piece& piece);
-  /// The parts of a line that are not behind what is covered.
+  /// Passes on the parts of a line that are not behind covered cells.
   void cut_line(const Vec2& a, const Vec2& b, const Piece& piece) const;
 
  private:
@@ -31,7 +31,7 @@ class CellCover {
 
   /// Cells of a row, from the left, 64 a word.
   using Mask = std::array<std::uint64_t, 2>;
-  /// Where a triangle lies in a row: cells that it touches, and those that it covers.
+  /// A triangle in a row: the cells that it touches, and those that it covers.
   struct Row {
     Mask touched{}, covered{};
   };
@@ -50,9 +50,9 @@ class CellCover {
 
 namespace {
 
-/// Where a part of a mesh covers its own bounding box so many times, some of it is not seen.
+/// If a part of a mesh covers its own bounding box so many times, some of it is hidden.
 constexpr double many_layers = 4;
-/// Outlines within what is covered that are kept: more would make one dark patch.
+/// Number of outlines kept in the covered region: more would make one dark patch.
 constexpr std::size_t most_outlines = 300;
 
 Vec2 vertex(const DrawList& list, std::uint32_t v) {
@@ -71,7 +71,7 @@ double area_of(const Triangle& p) {
   return 0.5 * std::abs(a.x() * b.y() - a.y() * b.x());
 }
 
-/// Triangles of a list: their areas, and the box around them.
+/// The areas of a list's triangles, and the box around them.
 struct Extent {
   std::vector<double> areas;
   Bounds box{Vec2::Constant(std::numeric_limits<double>::infinity()),
@@ -95,7 +95,7 @@ struct Extent {
 
   bool lies_over_itself() const { return layers > many_layers; }
 
-  /// The largest first.
+  /// Indices of the triangles, the largest first.
   std::vector<std::size_t> order() const {
     std::vector<std::size_t> by_area(areas.size());
     std::iota(by_area.begin(), by_area.end(), std::size_t{0});
@@ -113,7 +113,7 @@ std::uint32_t add_vertex(DrawList& list, const Vec2& p) {
   return static_cast<std::uint32_t>(list.node_spacing.size() - 1);
 }
 
-/// A convex polygon as a fan. Returns the number of triangles.
+/// Adds a convex polygon as a fan. Returns the number of triangles.
 std::size_t add_polygon(DrawList& list, const std::vector<Vec2>& polygon,
                         std::vector<std::uint32_t>& triangles) {
   const std::uint32_t first = add_vertex(list, polygon[0]);
@@ -126,7 +126,7 @@ std::size_t add_polygon(DrawList& list, const std::vector<Vec2>& polygon,
   return polygon.size() - 2;
 }
 
-/// Pieces of the list's triangles, each with what is known of its triangle.
+/// Pieces of the list's triangles, each with the attributes of its triangle.
 class Pieces {
  public:
   explicit Pieces(DrawList& list) : list_(list) {}
@@ -142,11 +142,11 @@ class Pieces {
   }
   std::size_t size() const { return elements_.size(); }
 
-  /// Puts them before the list's triangles.
+  /// Inserts the pieces before the list's triangles.
   void prepend() {
     put([](auto& pieces, auto& all) { all.insert(all.begin(), pieces.begin(), pieces.end()); });
   }
-  /// Puts them behind.
+  /// Appends the pieces.
   void append() {
     put([](auto& pieces, auto& all) { all.insert(all.end(), pieces.begin(), pieces.end()); });
   }
@@ -173,7 +173,7 @@ void cut_inverted(DrawList& list, CellCover& cover, const Extent& inverted) {
   list.inverted_triangles = std::move(kept);
 }
 
-/// Outlines where no other inverted element covers them, and some of the others.
+/// Keeps outlines where no other inverted element covers them, and some of the others.
 void cut_outlines(DrawList& list, const CellCover& cover) {
   std::vector<std::uint32_t> kept;
   const std::vector<std::uint32_t> lines = std::move(list.inverted_lines);
@@ -192,9 +192,10 @@ void cut_outlines(DrawList& list, const CellCover& cover) {
   list.inverted_lines = std::move(kept);
 }
 
-/// Lines of what lies in many layers are as close together as those of cells as many times smaller.
+/// Divides the spacing of lines in overlapping layers by the number of layers: they are as dense as
+/// lines of smaller cells.
 void fade_lines(DrawList& list, const Extent& all) {
-  // The mean size of elements that lie side by side: smaller ones are none of the pile.
+  // The mean size of elements if they lay side by side; smaller ones are not part of the pile.
   const double pile = all.box.size().prod() / static_cast<double>(all.areas.size());
   for (std::size_t k = 0; k < list.line_spacing.size(); ++k) {
     const Vec2 along = vertex(list, list.lines[2 * k + 1]) - vertex(list, list.lines[2 * k]);
@@ -203,7 +204,7 @@ void fade_lines(DrawList& list, const Extent& all) {
   }
 }
 
-/// What seen_through() has added.
+/// Removes what seen_through() has added.
 void forget_through(DrawList& list) {
   DrawList::Seen& seen = *list.seen;
   const std::size_t triangles = seen.whole.first + seen.whole.count;
@@ -237,7 +238,7 @@ void hide_covered(DrawList& list) {
                 [&](const std::vector<Vec2>& p) { alone.add(p, t); });
     fade_lines(list, all);
   }
-  // What is not in pieces is drawn whole.
+  // Triangles without pieces are drawn whole.
   DrawList::Seen seen;
   const std::size_t pieces = beside.size() + alone.size();
   seen.whole = {pieces, all.areas.size()};
@@ -250,12 +251,12 @@ void hide_covered(DrawList& list) {
 }
 
 bool seen_through(DrawList& list, std::span<const std::uint32_t> rgba) {
-  // Where elements lie side by side there is no pile to see through.
+  // Without overlaps, there is no pile to see through.
   if (!list.seen || list.seen->alone.first == list.seen->whole.first) return false;
   DrawList::Seen& seen = *list.seen;
   if (seen.vertices == 0) seen.vertices = list.node_spacing.size();
   forget_through(list);
-  // Those that cover the same place are told apart by their size, as everywhere here.
+  // Elements at the same place are ordered by size, as everywhere in this file.
   const std::vector<std::uint32_t> triangles(
       list.triangles.begin() + static_cast<std::ptrdiff_t>(3 * seen.whole.first),
       list.triangles.end());
@@ -282,7 +283,7 @@ bool seen_through(DrawList& list, std::span<const std::uint32_t> rgba) {
 
 namespace {
 
-/// The values of x at which something is met.
+/// Range of x in which something is met.
 struct Span {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -370,7 +371,7 @@ void CellCover::hand_over(const std::vector<Vec2>& cells, const Piece& piece) co
   piece(polygon);
 }
 
-/// Rectangles of neighbouring cells of a row; or what of a triangle lies in them.
+/// Passes on rectangles of neighbouring cells of a row, or the part of a triangle in them.
 void CellCover::emit_runs(const Mask& cells, int row, const Triangle* cut,
                           const Piece& piece) const {
   const auto set = [&](int x) {
@@ -402,7 +403,7 @@ void CellCover::cut(const Triangle& triangle, bool add, const Piece& piece) {
   const Vec2 high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
   const Mask width = mask(cell(low.x() - slack), cell(high.x() + slack) + 1);
   const int first = cell(low.y() - slack), last = cell(high.y() + slack);
-  // Of small ones there is nothing to save.
+  // Cutting small triangles saves nothing.
   const bool small = (high - low).maxCoeff() < 2;
   if (outside(p)) return piece({triangle.begin(), triangle.end()});
   for (int row = first; row <= last; ++row) {

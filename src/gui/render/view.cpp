@@ -18,7 +18,7 @@ View::Projection Camera::project(const Vec3& point) const {
   return {to_screen({point.x(), point.y()}), -point.z()};
 }
 
-/// From above the plane: points of it lie before the viewer.
+/// The ray starts above the plane, so that points of the plane lie in front of the viewer.
 Ray<3> Camera::unproject(const ScreenPoint& at) const {
   const Vec2 point = to_world(at);
   return {{point.x(), point.y(), 1}, {0, 0, -1}};
@@ -50,7 +50,7 @@ void Camera::set_viewport(double x, double y, double width, double height) {
 void Camera::look_at(const Vec2& centre, double units_per_pixel) {
   if (!centre.allFinite() || !std::isfinite(units_per_pixel) || units_per_pixel <= 0) return;
   centre_ = centre;
-  // Closer than this, neighbouring pixels would be the same double.
+  // At a deeper zoom, neighbouring pixels would be the same double.
   const double closest =
       4 * std::numeric_limits<double>::epsilon() * std::max(centre.cwiseAbs().maxCoeff(), 1e-200);
   units_per_pixel_ = std::max(units_per_pixel, closest);

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Dialogs and menus need a frame or two to be gone.
+// Dialogs and menus disappear only after a frame or two.
 constexpr int frames_until_clear = 3;
 
 std::string full_name(const fs::path& path) {
@@ -84,13 +84,13 @@ void Capture::on(const action::StartRecording& a) {
   queue_.clear();
   ending_ = false;
   stepping_ = a.step.has_value();
-  follow_solver();  // a motion may begin before the next frame is drawn
+  follow_solver();  // since a motion may begin before the next frame is drawn
   if (!stepping_) return;
   session_.apply(action::RerunStep{*a.step});
   if (!session_.job().active()) recorder_.cancel();
 }
 
-/// What has happened so far is recorded, though it may take some more frames.
+/// Records what has happened so far, which may need some more frames.
 void Capture::on(const action::StopRecording&) {
   stepping_ = false;
   ending_ = recorder_.state() == Recorder::State::recording;
@@ -113,8 +113,8 @@ void Capture::after_frame(PictureSource& source) {
   follow_solver();
 }
 
-/// While every shape is recorded the solver waits for its pictures: a slow window would leave
-/// meshes out, and what is put between those that are far apart can be invalid.
+/// While every shape is recorded, the solver waits for its pictures: with a slow window meshes
+/// would be missing, and interpolated meshes between distant ones can be invalid.
 void Capture::follow_solver() {
   const bool follow = recorder_.state() == Recorder::State::recording && !stepping_ && !ending_ &&
                       recorder_.spec().when == RecordingSpec::When::every_shape;
@@ -147,10 +147,10 @@ bool Capture::frame_due() const {
   return since >= std::chrono::duration<double>(1.0 / recorder_.spec().rate);
 }
 
-/// The mesh on screen and, of a motion that came in large steps, those on the way to it.
+/// Queues the mesh on screen and, for a motion in large steps, the meshes on the way to it.
 void Capture::queue_frames() {
   const bool every_shape = recorder_.spec().when == RecordingSpec::When::every_shape || stepping_;
-  // A film that lags far behind would never end.
+  // A film that lags far behind would never finish.
   constexpr std::size_t longest_queue = 400;
   for (Coordinates& x : meshes_.collect(session_, every_shape && queue_.size() < longest_queue))
     queue_.push_back({session_.topology(), std::move(x), 0});
@@ -162,7 +162,7 @@ bool Capture::turning() const {
          recorder_.spec().when == RecordingSpec::When::turntable && !stepping_;
 }
 
-/// The next frame of a turn; the recording ends with the last.
+/// Queues the next frame of a turn; the recording ends with the last one.
 void Capture::queue_turn() {
   const int frames = turntable_frames(recorder_.spec());
   if (turns_ >= frames) {
@@ -174,7 +174,7 @@ void Capture::queue_turn() {
   ++turns_;
 }
 
-/// One picture; the rest waits for the next frame of the window. False if that failed.
+/// Records one picture; the rest waits for the next frame of the window. False if that failed.
 bool Capture::record_queued(PictureSource& source) {
   const Frame next = std::move(queue_.front());
   queue_.pop_front();
@@ -183,7 +183,7 @@ bool Capture::record_queued(PictureSource& source) {
   try {
     PictureSpec spec = recorder_.spec().picture;
     if (!spec.size) {
-      // The window may change its size on the way; a film must not.
+      // The window may change its size during the recording; a film must not.
       const ScreenVector extent = source.picture_extent(spec);
       recorder_.fix_size(picture_size(spec, extent.x(), extent.y()));
       spec = recorder_.spec().picture;
@@ -207,7 +207,7 @@ void Capture::record_frame(PictureSource& source) {
   const bool timed = recorder_.spec().when == RecordingSpec::When::timed && !stepping_;
   if (!ending_ && !turning() && frame_due()) {
     if (timed && !recorder_.has_room()) {
-      recorder_.drop();  // what happens by itself does not wait for the disk
+      recorder_.drop();  // what moves by itself does not wait for the disk
       last_frame_ = std::chrono::steady_clock::now();
     } else {
       queue_frames();
@@ -227,7 +227,7 @@ void Capture::step_on() {
   const JobRunner& job = session_.job();
   if (!job.active()) return on(action::StopRecording{});
   const auto& snapshot = job.snapshot();
-  // A step that was asked for takes a while to be seen: each pause is left once.
+  // A requested step takes a while to be seen: leave each pause only once.
   if (!snapshot || snapshot->state != JobState::paused || snapshot->serial == left_) return;
   left_ = snapshot->serial;
   session_.apply(action::StepSolver{1});
@@ -279,8 +279,7 @@ void FilmMeshes::clear() {
   moved_.clear();
 }
 
-/// What the job moves is kept until its last mesh is taken: that comes some frames after it has
-/// ended.
+/// Keeps what the job moves until its last mesh is collected, some frames after the job has ended.
 void FilmMeshes::follow_motion(const Session& session) {
   const JobRunner& job = session.job();
   if (!job.active()) return;

@@ -33,11 +33,11 @@ std::vector<std::string> ffmpeg_arguments(const Film::Job& job, const fs::path& 
     words.insert(words.end(), more.begin(), more.end());
   };
   if (film_format(job.target) == FilmFormat::gif) {
-    // A palette of the film's own colours; that of the format would show bands.
+    // A palette of the film's own colours: the format's default palette would show bands.
     add({"-filter_complex", "split[a][b];[a]palettegen[p];[b][p]paletteuse=dither=bayer", "-f",
          "gif"});
   } else {
-    // Players want even sizes and this layout of colours.
+    // Players need even sizes and this pixel format.
     add({"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-pix_fmt", "yuv420p", "-movflags",
          "+faststart", "-f", "mp4"});
   }
@@ -115,7 +115,7 @@ double Film::progress() const {
 
 namespace {
 
-/// Longest text kept of what a program says; of more, the end.
+/// Longest output kept of a program; of longer output, the end is kept.
 constexpr std::size_t most_text = 65536;
 
 struct Pipe {
@@ -158,7 +158,7 @@ std::optional<std::filesystem::path> find_program(std::string_view name) {
     const std::size_t end = rest.find(':');
     const std::filesystem::path folder(rest.substr(0, end));
     rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
-    // A relative folder would depend on where the program was started.
+    // The meaning of a relative folder would depend on where the program was started.
     if (!folder.is_absolute()) continue;
     const std::filesystem::path candidate = folder / name;
     std::error_code ignored;
@@ -207,7 +207,7 @@ bool ChildProcess::poll() {
   if (ended_) return true;
   int how = 0;
   const pid_t got = waitpid(pid_, &how, WNOHANG);
-  // What it said before it ended is in the pipes by now.
+  // The output from before the end is in the pipes by now.
   drain(out_, output_);
   drain(err_, errors_);
   if (got != pid_) return false;

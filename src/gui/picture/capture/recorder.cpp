@@ -122,7 +122,7 @@ std::optional<Recorder::Outcome> Recorder::poll() {
 }
 
 std::optional<Recorder::Outcome> Recorder::frames_written() {
-  // The last outcomes may have come in since they were looked at.
+  // More outcomes may have come in since the last check.
   for (const auto& outcome : writer_->take_outcomes())
     if (!outcome.error.empty()) return finish(Outcome::Kind::failed, outcome.error);
   if (frames_ == 0) {

@@ -19,9 +19,10 @@ cairo_status_t append(void* closure, const unsigned char* data, unsigned int len
 
 void destroy_face(void* face) { FT_Done_Face(static_cast<FT_Face>(face)); }
 
-/// The font from its file, so that a figure does not depend on how the system maps names to fonts.
+/// Loads the font from its file, so that a figure does not depend on how the system maps names to
+/// fonts.
 cairo_font_face_t* load_font(const std::filesystem::path& file) {
-  // Lives as long as the program: cairo keeps fonts for later.
+  // Lives as long as the program, since cairo caches fonts.
   static FT_Library library = [] {
     FT_Library made = nullptr;
     return FT_Init_FreeType(&made) == 0 ? made : nullptr;
@@ -105,7 +106,7 @@ void Page::fill_with_rim(double width) {
 }
 
 void Page::image(const Image& image, const std::array<double, 4>& rectangle) {
-  // Premultiplied, and in the order of the machine's words.
+  // Premultiplied, in the machine's byte order.
   std::vector<std::uint32_t> pixels;
   pixels.reserve(image.rgba.size() / 4);
   for (std::size_t k = 0; k + 3 < image.rgba.size(); k += 4) {
@@ -122,7 +123,7 @@ void Page::image(const Image& image, const std::array<double, 4>& rectangle) {
   cairo_set_source_surface(cairo_, surface, 0, 0);
   cairo_paint(cairo_);
   cairo_restore(cairo_);
-  // The page has a copy of its own only once the surface is finished.
+  // The page has a copy of the picture only once its surface is finished.
   cairo_surface_flush(surface_);
   cairo_surface_finish(surface);
   cairo_surface_destroy(surface);
@@ -147,7 +148,7 @@ void Page::set_font(double size, FontWeight weight) {
 }
 
 void Page::text(double x, double middle, const std::string& text, double size, FontWeight weight) {
-  // Half the height of a capital: what the eye takes for the middle of a line.
+  // Half the height of a capital, where the eye sees the middle of a line.
   const double base = middle + 0.36 * size;
   if (format_ == PageFormat::svg) return add_text_element(x, base, text, size, weight);
   set_font(size, weight);
@@ -155,7 +156,7 @@ void Page::text(double x, double middle, const std::string& text, double size, F
   cairo_show_text(cairo_, text.c_str());
 }
 
-/// cairo writes text into an SVG as outlines.
+/// Adds text as an element of its own, since cairo writes text into an SVG as outlines.
 void Page::add_text_element(double x, double y, const std::string& text, double size,
                             FontWeight weight) {
   const auto byte = [](float share) { return static_cast<int>(std::lround(255 * share)); };

@@ -8,7 +8,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// Between neighbours of one colour no ground is to shine through, points.
+/// Width of the rim that closes gaps between neighbours of one colour, points.
 constexpr double rim_width = 0.25;
 
 void draw_line(Page& page, const FigureLine& line, const ScreenPoint& origin) {
@@ -48,15 +48,15 @@ void draw_figure_scene(Page& page, const FigureScene& scene, const ScreenPoint& 
 
 namespace {
 
-/// Room around the viewport where lines go on, so that their cut ends are not seen.
+/// Room around the viewport into which lines extend, so that their cut ends are out of sight.
 constexpr double cell_margin = 8;
 /// Shades in which edges fade where they are dense.
 constexpr int shades = 6;
-/// Colours of a continuous scale: more than the eye tells apart, few enough paths.
+/// Number of colours of a continuous scale: more than the eye distinguishes, but few paths.
 constexpr int most_colors = 64;
 constexpr double rim = 0.3;
 
-/// A camera's viewport, put at `origin` on a page.
+/// Draws in a camera's viewport, placed at `origin` on a page.
 class PlaneDrawing {
  protected:
   PlaneDrawing(Page& page, const VectorFigure& figure, const Camera& camera,
@@ -144,7 +144,7 @@ class MeshDrawing : PlaneDrawing {
            box.min.x() <= area_.max.x() && box.min.y() <= area_.max.y();
   }
 
-  /// The middle of the colour's part of the scale, so that equal colours are one path.
+  /// Colour in the middle of its part of the scale, so that equal colours form one path.
   Rgb color_of(Index e) const {
     if (figure_.values.empty() || !figure_.scale) return rgb(theme_.fill);
     ColorScale scale = *figure_.scale;
@@ -189,7 +189,7 @@ class MeshDrawing : PlaneDrawing {
       const double opacity = line_opacity(spacing, figure_.edge_width);
       by_shade[static_cast<std::size_t>(std::lround(opacity * shades))].push_back(k);
     }
-    // On colours dark lines are legible on any ground.
+    // On colours, dark lines are legible with any background.
     const bool colored = !figure_.values.empty();
     const Rgba& ink = colored ? picture_theme(false).edge : theme_.edge;
     for (int shade = 1; shade <= shades; ++shade) {
@@ -258,7 +258,7 @@ class VcvDrawing : PlaneDrawing {
   }
 
  private:
-  /// One path: between triangles that are filled one by one the ground would shine through.
+  /// Draws the ground as one path: the background would show between triangles filled one by one.
   void draw_ground() {
     for (std::size_t k = 0; k < ends_.size(); ++k)
       add_polygon({centre_, ends_[k], ends_[(k + 1) % ends_.size()]});

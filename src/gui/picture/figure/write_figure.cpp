@@ -12,7 +12,7 @@ namespace {
 
 constexpr double title_scale = 1.25;
 
-/// Title, legend and key around the mesh.
+/// Draws title, legend and key around the mesh.
 class FigureDrawing {
  public:
   FigureDrawing(Page& page, const VectorFigure& figure)
@@ -114,14 +114,14 @@ class FigureDrawing {
     for (int k = 0; k < strips; ++k) {
       const double t = (k + 0.5) / strips;
       page_.set_color(scale.color(scale.value_at(t)), alpha);
-      // Opaque strips overlap a little, or the ground would shine through between them.
+      // Opaque strips overlap a little, so that no background shows between them.
       const double more = alpha == 1 && k + 1 < strips ? 0.3 : 0.0;
       page_.rectangle(x, top + height - (k + 1) * step - more, width, step + more);
       page_.fill();
     }
   }
 
-  /// Lengths by the square root of the counts, as on screen.
+  /// Draws bars by the square root of the counts, as on screen.
   void draw_histogram(double x, double top, double height) {
     const Legend& legend = *figure_.legend;
     const auto& counts = legend.histogram->counts;
@@ -140,7 +140,7 @@ class FigureDrawing {
     }
   }
 
-  /// A frame, a line to what it magnifies, a frame around that.
+  /// Draws a frame around the inset, a frame around its source, and a line between them.
   void draw_inset(const FigureInset& inset, const ScreenPoint& origin) {
     const ScreenVector shift = origin - figure_.camera.viewport_origin();
     const ScreenPoint at = inset.camera.viewport_origin() + shift;

@@ -75,7 +75,7 @@ void PictureFrame::place() {
   const double em = font_size_;
   const double width = width_;
   const double height = height_;
-  // Below some twenty letters of height there is room for the mesh alone.
+  // Below a height of some twenty letters, there is room only for the mesh.
   if (!has_room_for_text()) text_ = {};
   if (text_.legend && width < 3 * legend_width(*text_.legend, legend_style_)) text_.legend.reset();
   const bool bottom_line = !text_.key.empty() || !text_.warning.empty() || !text_.note.empty();
@@ -197,7 +197,8 @@ Legend picture_legend(const ElementField& field, std::span<const double> values,
 }
 
 Rgba edges_on_colors(const ElementField& field, const ColorChoice& choice, bool dark) {
-  // On colours, dark lines are legible in both themes, but for the map that recedes into the dark.
+  // On colours, dark lines are legible in both themes, except on the map that recedes into the
+  // dark.
   const bool neutral = color_map_for(field, choice.map) == "neutral";
   Rgba edge = picture_theme(dark && neutral).edge;
   edge[3] = 0.55f;

@@ -19,7 +19,7 @@ Rgb unpacked(std::uint32_t rgba) {
   return {byte(0), byte(8), byte(16)};
 }
 
-/// What lies behind a plane of a convex polygon.
+/// Clips a convex polygon to the part behind a plane.
 void cut_off(std::vector<Vec3>& polygon, const Plane& plane) {
   std::vector<Vec3> left;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -31,7 +31,7 @@ void cut_off(std::vector<Vec3>& polygon, const Plane& plane) {
   polygon = std::move(left);
 }
 
-/// Makes the polygons and lines of a scene as the graphics card does.
+/// Converts a scene to polygons and lines, with the rules of the renderer.
 class SceneFigure {
  public:
   SceneFigure(std::span<const std::shared_ptr<const SpaceScene>> parts,
@@ -64,7 +64,7 @@ class SceneFigure {
   }
 
  private:
-  /// z is linear on screen.
+  /// Place on the page, with a z that is linear on screen.
   Vec3 on_page(const Vec3& point) const {
     const auto [at, depth] = camera_.project(point);
     if (distance_ <= 0) return {at.x(), at.y(), depth};
@@ -87,7 +87,7 @@ class SceneFigure {
   }
 
   void add_fill(const SpaceScene& part, const SpaceFill& fill) {
-    // What is emphasised lies above what is in the same place.
+    // Emphasised fills lie above others in the same place.
     const double lift = fill.emphasised ? 1e-5 * extent_ : 0;
     for (std::size_t first = 0; first + 2 < fill.corners.size(); first += 3) {
       std::vector<Vec3> corners;
@@ -148,7 +148,7 @@ class SceneFigure {
     figure_.marks.push_back({a, b, options_.ink, 1, 0.1 * options_.font_size});
   }
 
-  /// Where the axes point, bottom left.
+  /// Adds the directions of the axes, bottom left.
   void add_axes() {
     const double em = options_.font_size;
     const ScreenPoint origin(3 * em, camera_.viewport().size().y() - 3 * em);
@@ -170,7 +170,7 @@ class SceneFigure {
     }
   }
 
-  /// A bar of a round length, bottom right.
+  /// Adds a bar of a round length, bottom right.
   void add_scale_bar() {
     const ScreenVector size = camera_.viewport().size();
     const double em = options_.font_size;
@@ -225,7 +225,8 @@ double mean_depth(const SeenPolygon& polygon) {
   return sum / static_cast<double>(polygon.corners.size());
 }
 
-/// Draws first what is covered. What covers each other, by round-off or in a ring, goes by depth.
+/// Finds an order that draws covered polygons first. Polygons that cover each other, by round-off
+/// or in a cycle, are ordered by depth.
 class DrawOrder {
  public:
   explicit DrawOrder(std::span<const SeenPolygon> polygons)
@@ -330,7 +331,7 @@ void HiddenSurface::find_seen() {
 }
 
 bool HiddenSurface::small_in_the_open(const SeenPolygon& polygon) const {
-  // Seen along its plane there is nothing of it to be seen.
+  // A polygon seen along its plane is invisible.
   constexpr double least = 0.01;  // square points
   double twice = 0;
   for (std::size_t k = 1; k + 1 < polygon.corners.size(); ++k)
@@ -354,7 +355,7 @@ float HiddenSurface::depth_around(double x, double y) const {
 }
 
 std::vector<std::size_t> HiddenSurface::order() const {
-  // Of each sample the polygons over it, as a list through one array.
+  // For each sample, a list of the polygons over it; all lists share one array.
   struct Cover {
     float z;
     std::uint32_t polygon;

@@ -21,14 +21,14 @@ namespace winslow::gui {
 
 namespace {
 
-/// Which side elements of a surface mesh should face; empty: another kind of mesh. given: of a
-/// surface mesh, the mesh that it was; null: it is that mesh.
+/// Normals of the correct side of a surface mesh's elements; empty for other meshes. given: the
+/// surface mesh as given; null: `mesh` itself.
 std::vector<Vec3> normals_of(const Mesh& mesh, const std::shared_ptr<const Mesh>& given) {
   const auto shape = own_shape(given ? *given : mesh);
   return shape ? shape->normals->of_elements(mesh.coordinates, 0) : std::vector<Vec3>();
 }
 
-/// Per element. given, normals: as above.
+/// Values of a field per element. given, normals: see normals_of().
 std::vector<double> values_of(const Mesh& mesh, const ElementField& field,
                               const std::shared_ptr<const Mesh>& given,
                               std::span<const Vec3> normals) {
@@ -36,19 +36,19 @@ std::vector<double> values_of(const Mesh& mesh, const ElementField& field,
   return surface_values(mesh, field, normals, SurfaceDistance(given ? *given : mesh));
 }
 
-/// Per element 1 for values that are worse than the threshold, or no numbers.
+/// Per element 1 if the value is worse than the threshold, or not a number.
 std::vector<unsigned char> worse_than(double threshold, const ElementField& field,
                                       std::span<const double> values) {
   const bool larger = field_info(field).larger_is_better;
   std::vector<unsigned char> chosen;
   chosen.reserve(values.size());
-  // What is not a number is no good element either.
+  // The comparisons count NaN as worse.
   for (const double v : values)
     chosen.push_back((larger ? v >= threshold : v <= threshold) ? 0 : 1);
   return chosen;
 }
 
-/// Of those that are not 0.
+/// Number of flags that are 1.
 Index count_of(std::span<const unsigned char> flags) {
   return static_cast<Index>(std::ranges::count(flags, 1));
 }
@@ -61,7 +61,7 @@ std::vector<MarkerShow> marker_shows(const Topology& topology,
   std::vector<MarkerShow> shows(markers.size(),
                                 options.show.empty() ? MarkerShow::automatic : MarkerShow::hidden);
   const auto set = [&](const std::vector<std::string>& names, MarkerShow show) {
-    markers.nodes_of(names);  // refuses names that there are not
+    markers.nodes_of(names);  // throws for unknown names
     for (const std::string& name : names) shows[at(*markers.find(name))] = show;
   };
   set(options.show, MarkerShow::surface);
@@ -70,7 +70,7 @@ std::vector<MarkerShow> marker_shows(const Topology& topology,
   return shows;
 }
 
-/// Of surfaces: paler than that of lines, so that edges are seen on them.
+/// Colour of surfaces: paler than that of lines, so that edges stay visible on them.
 Rgb surface_color(Index marker, const PictureTheme& theme, bool dark) {
   Rgb color = marker_color(marker, dark);
   const float share = dark ? 0.45f : 0.5f;
@@ -145,7 +145,7 @@ void check(const Mesh& mesh, const VolumePictureOptions& options) {
     throw UsageError("a view has a finite azimuth and an elevation from -90 to 90 degrees");
 }
 
-/// All that is in a scene and not cut away.
+/// All points of a scene that are not cut away.
 std::vector<Vec3> points_of(const SpaceScene& scene) {
   std::vector<Vec3> points;
   const auto add = [&](const std::array<float, 3>& position, unsigned clipped_by) {
@@ -162,11 +162,11 @@ std::vector<Vec3> points_of(const SpaceScene& scene) {
 std::vector<Plane> chosen_cuts(const Mesh& mesh, const VolumeBoundary& boundary,
                                const VolumePictureOptions& options) {
   if (options.cuts) return *options.cuts;
-  if (options.peel) return {};  // what encloses them is left out already
+  if (options.peel) return {};  // the enclosure is left out already
   return automatic_cuts(mesh, boundary, options.view.value_or(automatic_view({}, options.up)));
 }
 
-/// One picture in the making.
+/// Builds one picture.
 class VolumePicture {
  public:
   VolumePicture(const Mesh& mesh, const VolumePictureOptions& options)
@@ -236,7 +236,7 @@ class VolumePicture {
   }
 
   Box<3> extent() const {
-    constexpr float unit = 1;  // widths of lines take no room
+    constexpr float unit = 1;  // widths of lines are ignored
     Box<3> box = Box<3>::empty();
     for (const Vec3& point : all_points(scene(unit))) box.add(point);
     return box;
@@ -250,7 +250,7 @@ class VolumePicture {
     return points;
   }
 
-  /// What the camera sees, in pixels several times as fine as points.
+  /// Draws what the camera sees, with several pixels per point.
   Image raster(const SpaceScene& scene, SpaceCamera camera) const {
     const std::unique_ptr<HeadlessContext> context = make_headless_context();
     const ScreenVector size = camera.viewport().size();

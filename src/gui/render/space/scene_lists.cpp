@@ -6,8 +6,8 @@ namespace winslow::gui {
 
 namespace {
 
-/// Height of a polygon over its longest side, as if it were a rectangle: how far apart the lines
-/// along it are.
+/// Height of a polygon over its longest side as if it were a rectangle, which is the distance of
+/// the lines along that side.
 double spacing_of(double area, double longest) { return longest > 0 ? area / longest : 0; }
 
 double longest_side(std::span<const Vec3> corners) {
@@ -17,7 +17,7 @@ double longest_side(std::span<const Vec3> corners) {
   return longest;
 }
 
-/// Twice the area as a vector, of any plane polygon.
+/// Twice the area of any plane polygon, as a vector.
 Vec3 doubled_area(std::span<const Vec3> corners) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t k = 1; k + 1 < corners.size(); ++k)
@@ -25,12 +25,12 @@ Vec3 doubled_area(std::span<const Vec3> corners) {
   return sum;
 }
 
-/// A line without a spacing would never fade.
+/// A spacing of 0 would mean that the line never fades.
 float spacing_to_fade(double spacing) {
   return std::max(static_cast<float>(spacing), std::numeric_limits<float>::min());
 }
 
-/// The triangles of a polygon: a fan where it is convex, as sections of tetrahedra are.
+/// Splits a polygon into triangles: a fan if it is convex, as sections of tetrahedra are.
 void fan_of(std::span<const Vec3> corners, const Vec3& normal, std::vector<Index>& triangles) {
   triangles.clear();
   const std::size_t n = corners.size();
@@ -60,7 +60,7 @@ void SceneLists::add_triangle(SpaceFill& fill, const std::array<Vec3, 3>& corner
   fill.elements.push_back(look.element);
 }
 
-/// A quadrilateral has one normal, so that one shade; it is cut along its shorter diagonal.
+/// A quadrilateral has one normal, hence one shade; it is cut along its shorter diagonal.
 void SceneLists::add_faces(SpaceFill& fill, std::span<const SurfaceFace> faces,
                            const Color& color) const {
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -131,7 +131,7 @@ void SceneLists::add_sides(const EdgeLists& lists, const PlaneSection& section) 
   };
   std::vector<Side> sides;
   sides.reserve(section.polygons.values.size());
-  std::vector<std::size_t> begin(section.points.size() + 2, 0);  // of the sides by their low ends
+  std::vector<std::size_t> begin(section.points.size() + 2, 0);  // first side of each low end
   std::vector<Vec3> corners;
   for (Index k = 0; k < section.polygons.rows(); ++k) {
     corners.clear();
@@ -144,7 +144,7 @@ void SceneLists::add_sides(const EdgeLists& lists, const PlaneSection& section) 
       ++begin[at(low) + 2];
     }
   }
-  // Few sides have their low end in common: put by it, hardly anything is left to sort.
+  // Few sides share a low end: sorted by it first, hardly anything is left to sort.
   for (std::size_t k = 2; k < begin.size(); ++k) begin[k] += begin[k - 1];
   std::vector<Side> sorted(sides.size());
   for (const Side& side : sides) sorted[begin[at(side.low) + 1]++] = side;

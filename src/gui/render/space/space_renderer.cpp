@@ -9,7 +9,7 @@
 
 namespace winslow::gui {
 
-/// Vertices on the graphics card: rows of numbers, and which of them are which attribute.
+/// Vertices on the graphics card: rows of numbers, with the layout of their attributes.
 class VertexRows {
  public:
   VertexRows() { glGenVertexArrays(1, &array_); }
@@ -50,12 +50,12 @@ class VertexRows {
 
 namespace {
 
-/// Opacity of what is emphasised where something hides it.
+/// Opacity of emphasised fills where something hides them.
 constexpr float hidden_opacity = 0.22f;
-/// How far faces are set back behind their edges, in what they recede over a pixel: a line reaches
-/// as far as that to either side of its axis.
+/// Offset of faces behind their edges, as a multiple of their change of depth over a pixel: a line
+/// extends as far as that to either side of its axis.
 constexpr float set_back = 1.5f;
-/// Times as thick are border lines that are tinted.
+/// Factor on the width of tinted border lines.
 constexpr float lit_width = 1.9f;
 
 Rgba as_float(const Vec3& v, double w) {
@@ -202,7 +202,7 @@ class SpaceRenderer::Impl {
     glDepthFunc(GL_LEQUAL);
   }
 
-  /// Its depth first, so that one layer of it is left.
+  /// Draws the depth first, so that only one layer remains.
   void draw_see_through(const Part& part, const Fill& fill, const SpaceCamera& camera) const {
     prepare(part, fill, camera, fill.style.opacity);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -211,7 +211,7 @@ class SpaceRenderer::Impl {
     fill.rows.draw(GL_TRIANGLES);
   }
 
-  /// Border lines whose marker is tinted are thicker, as those of plane meshes.
+  /// Border lines of tinted markers are thicker, as in plane meshes.
   float width_of(const SpaceLines& lines) const {
     const auto marker = static_cast<std::size_t>(lines.marker);
     const bool lit = lines.marker >= 0 && marker < tints_.size() && tints_[marker][3] > 0;

@@ -8,8 +8,8 @@ using Vec3f = Eigen::Vector3f;
 
 Vec3f place_of(const SpaceCorner& corner) { return Vec3f(corner.position.data()); }
 
-/// Where along the ray it goes through a triangle (T. Moeller and B. Trumbore, Journal of Graphics
-/// Tools 2, 1997); not a number if it does not.
+/// Parameter of a ray at its intersection with a triangle (T. Moeller and B. Trumbore, Journal of
+/// Graphics Tools 2, 1997); NaN if there is none.
 double crossing(const SpaceCorner* corners, const Vec3f& from, const Vec3f& along) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const Vec3f a = place_of(corners[0]);
@@ -34,7 +34,7 @@ std::optional<SpaceHit> pick_in_scene(std::span<const std::shared_ptr<const Spac
   double nearest = std::numeric_limits<double>::infinity();
   const Vec3 along = ray.direction.normalized();
   for (const auto& part : parts) {
-    // From the middle of the mesh, so that what is near it keeps its digits.
+    // The ray starts near the middle of the mesh, so that single precision suffices there.
     const double shift = along.dot(part->origin - ray.origin);
     const Vec3 start = ray.origin + shift * along;
     const Vec3f from = (start - part->origin).cast<float>(), direction = along.cast<float>();
@@ -57,7 +57,7 @@ std::optional<SpaceHit> pick_in_scene(std::span<const std::shared_ptr<const Spac
 
 namespace {
 
-/// Places of the screen in a grid, to find those in a triangle.
+/// A grid of places on the screen, to find those in a triangle.
 class PlaceGrid {
  public:
   explicit PlaceGrid(const ScreenBox& box) : box_(box) {

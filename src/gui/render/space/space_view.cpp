@@ -20,7 +20,7 @@ void SpaceCamera::pan_at(const Vec3& point, const ScreenVector& by) {
   look_at(centre_ - pixel_size(point) * (by.x() * right_ - by.y() * up_), units_per_pixel_);
 }
 
-/// All is seen as before from a viewer that is nearer to the point by the factor.
+/// Equivalent to moving the viewer nearer to the point by the factor.
 void SpaceCamera::zoom_about(const Vec3& point, double factor) {
   look_at(point + (centre_ - point) / factor, units_per_pixel_ / factor);
 }
@@ -43,7 +43,7 @@ void SpaceCamera::turn(const Vec3& pivot, const ScreenVector& by, bool freely) {
     return look_from(direction, pivot);
   }
   const double per_pixel = pi / height;
-  // What is turned is the viewer, against the way that the mesh goes.
+  // The viewer turns, opposite to the apparent turn of the mesh.
   const Eigen::Matrix3d turn =
       (Eigen::AngleAxisd(-per_pixel * by.x(), up_) * Eigen::AngleAxisd(-per_pixel * by.y(), right_))
           .toRotationMatrix();
@@ -52,10 +52,10 @@ void SpaceCamera::turn(const Vec3& pivot, const ScreenVector& by, bool freely) {
 
 namespace {
 
-/// Nothing is drawn that is nearer to the viewer than this share of the centre's distance.
+/// Near limit of drawing, as a share of the centre's distance from the viewer.
 constexpr double nearest = 1e-3;
 
-/// Components along the two axes that follow the one that is up, and along that one.
+/// Vector from its components along the two axes that follow the up axis, and along that axis.
 Vec3 from_upright(const Vec3& v, int up) {
   Vec3 turned;
   for (int k = 0; k < 3; ++k) turned[(up + 1 + k) % 3] = v[k];
@@ -92,7 +92,7 @@ void SpaceCamera::set_viewport(double x, double y, double width, double height) 
   height_ = std::max(height, 1.0);
 }
 
-/// Without a roll the axis to the right is level, and known from above, too.
+/// Without roll, the axis to the right is level, and is defined from above, too.
 void SpaceCamera::look_from(const ViewDirection& direction) {
   direction_ = direction;
   const double a = radians(direction.azimuth);
@@ -117,7 +117,7 @@ void SpaceCamera::fit(std::span<const Vec3> points, double margin) {
   for (const Vec3& p : points) seen.add(Vec3(right_.dot(p), up_.dot(p), back_.dot(p)));
   const Vec3 middle = seen.centre();
   const double share = 1 - 2 * margin;
-  // Half of what a pixel at the centre would have to be, over the pixels of half the viewport.
+  // Required size of a pixel at the centre, in a parallel view.
   double size = std::max(seen.size().x() / width_, seen.size().y() / height_) / share;
   if (angle_ > 0) {
     const double tangent = std::tan(radians(0.5 * angle_)) * share;
@@ -200,17 +200,17 @@ std::array<float, 16> SpaceCamera::matrix(const Vec3& origin) const {
 
 namespace {
 
-/// Three quarters from ahead: x to the right.
+/// Three-quarter view from ahead, x to the right.
 ViewDirection three_quarters(int up) { return {up == 1 ? 24.0 : -66.0, 22, up}; }
 
-/// To a power of ten that is at most `most`: a number to be read.
+/// Rounds to a power of ten that is at most `most`, for legible numbers.
 double rounded(double value, double most) {
   if (!(most > 0)) return value;
   const double power = std::pow(10.0, std::floor(std::log10(most)));
   return power * std::round(value / power);
 }
 
-constexpr double aside = 24;  // degrees by which one looks past a cut's normal
+constexpr double aside = 24;  // degrees between the direction of view and a cut's normal
 
 }  // namespace
 
@@ -236,9 +236,9 @@ ViewDirection automatic_view(const std::vector<Plane>& cuts, int up) {
   for (const Plane& cut : cuts) normal += cut.normal();
   if (normal.norm() < 1e-6) normal = cuts.front().normal();
   ViewDirection view = direction_towards(normal, up);
-  // Several cuts are seen best from between their normals.
+  // Between their normals, several cuts are seen best.
   if (cuts.size() > 1) return {view.azimuth, std::clamp(view.elevation, -80.0, 80.0), up};
-  constexpr double steep = 40;  // from there on towards the horizon, not away from it
+  constexpr double steep = 40;  // degrees; steeper views turn towards the horizon, not away from it
   view.azimuth += aside;
   if (std::abs(view.elevation) > steep)
     view.elevation -= std::copysign(35.0, view.elevation);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double least_area = 1e-9;  // square pixels
 
-/// What of a convex polygon lies left of the line from a to b, on paper with y down.
+/// Part of a convex polygon left of the line from a to b, on paper with y down.
 std::vector<ScreenPoint> left_of(const std::vector<ScreenPoint>& polygon, const ScreenPoint& a,
                                  const ScreenPoint& b) {
   std::vector<ScreenPoint> kept;
@@ -98,11 +98,11 @@ double StarSketch::compare(const Flat& a, const Flat& b) const {
   return b.depth_at(middle) - a.depth_at(middle);
 }
 
-/// Again and again the deepest of those behind which nothing is left; of a ring of triangles each
-/// of which lies before the next, which no star of valid tetrahedra has, the deepest.
+/// Repeatedly picks the deepest triangle with nothing left behind it. In a cycle of triangles, each
+/// in front of the next, it picks the deepest; stars of valid tetrahedra have no such cycle.
 void StarSketch::order() {
   const std::size_t n = flats_.size();
-  std::vector<std::vector<std::size_t>> before(n);  // that each one hides
+  std::vector<std::vector<std::size_t>> before(n);  // triangles in front of each one
   std::vector<int> behind(n, 0);
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = 0; b < a; ++b) {
@@ -149,7 +149,7 @@ std::vector<StarSketch::Piece> StarSketch::cut(const Vec3& a, const Vec3& b) con
       }
     }
     if (!(high - low > 1e-9)) continue;
-    // How much deeper the line lies there than the triangle.
+    // Depth of the line below the triangle.
     const auto deeper = [&](double s) {
       return from.depth + s * (to.depth - from.depth) - flat.depth_at(from.at + s * along);
     };
@@ -170,7 +170,7 @@ std::vector<StarSketch::Piece> StarSketch::cut(const Vec3& a, const Vec3& b) con
   for (std::size_t k = 0; k < hidden.size();) {
     const double low = hidden[k].first;
     double high = low;
-    // Triangles that touch hide it as one.
+    // Adjacent triangles hide the line as one.
     for (; k < hidden.size() && hidden[k].first <= high + 1e-9; ++k)
       high = std::max(high, hidden[k].second);
     add(reached, low, false);

@@ -14,7 +14,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// How strongly the light shows the form: less where colours are values that are read off a legend.
+/// Strength of the light's shading: less where colours are values to compare with a legend.
 constexpr float form_shading = 0.85f, value_shading = 0.28f;
 
 std::uint32_t packed(const Rgba& c) { return pack_color({c[0], c[1], c[2]}); }
@@ -25,7 +25,7 @@ bool is_set(std::span<const unsigned char> flags, Index k) {
 
 enum class Drawn { no, outline, surface, see_through };
 
-/// A solid body would hide its isolated elements.
+/// An outline replaces the surface of a solid body, which would hide isolated elements.
 Drawn drawn_as(const VolumeBoundary& boundary, const VolumeLook& look, std::size_t f) {
   const Index marker = boundary.faces[f].marker;
   const MarkerShow show = marker >= 0 && at(marker) < look.markers.size() ? look.markers[at(marker)]
@@ -85,7 +85,7 @@ class SceneBuilder {
     return {{}, style_.feature, style_.feature_width, clipped_by};
   }
 
-  /// A fill for each marker, which can be told apart when they are drawn; edges of all together.
+  /// Adds a fill per marker, so that drawn markers can be told apart, and common edges.
   void add_surface(const SpaceFill& style, std::span<const SurfaceFace> faces, bool values) {
     if (faces.empty()) return;
     SpaceLines other = element_lines(style.clipped_by), feature = feature_lines(style.clipped_by);
@@ -105,7 +105,7 @@ class SceneBuilder {
     scene_.lines.push_back(std::move(feature));
   }
 
-  /// Whole elements, by the faces around them. All their edges are features of so rough a surface.
+  /// Adds whole elements by their outer faces. All edges are features of so rough a surface.
   void add_elements(const std::vector<SurfaceFace>& faces) {
     SpaceFill fill;
     fill.shading = shading();
@@ -129,7 +129,7 @@ class SceneBuilder {
     SpaceFill fill;
     fill.clipped_by = by_all_planes & ~(1U << k);
     SpaceLines other = element_lines(fill.clipped_by), feature = feature_lines(fill.clipped_by);
-    // Surfaces and lines at the same time: a cut that is dragged waits for both.
+    // Builds surfaces and lines in parallel: a dragged cut waits for both.
     const auto make = [&](Index half) {
       if (half == 0)
         lists_->add_section(fill, section, plane,
@@ -187,7 +187,7 @@ class SceneBuilder {
     add_borders();
   }
 
-  /// Markers of a surface mesh are lines.
+  /// Adds the markers of a surface mesh, which are lines.
   void add_borders() {
     const Markers& markers = mesh_.topology->markers();
     for (std::size_t m = 0; m < look_.border_colors.size(); ++m) {
@@ -285,7 +285,7 @@ bool drawn_as_surface(const VolumeBoundary& boundary, const VolumeLook& look, st
   return drawn == Drawn::surface || drawn == Drawn::see_through;
 }
 
-/// Bodies keep their own colours beside a cut, so that they are told from what is cut.
+/// Bodies keep their own colours beside a cut, so that they differ from the cut.
 bool boundary_has_values(const VolumeBoundary& boundary, const VolumeLook& look) {
   return !look.colors.empty() &&
          (!boundary.encloses || (look.cuts.empty() && look.isolated.empty()));

@@ -156,7 +156,7 @@ void take_nearer(OnBorder& best, const ScreenPoint& at, Index marker,
 
 /// True if no surface hides the point.
 bool is_seen(const Vec3& point, const VolumeView& picture, const View& view) {
-  constexpr double slack = 6;  // pixels, since the surface touches its border
+  constexpr double slack = 6;  // pixels, since the border lies on the surface
   const View::Projection there = view.project(point);
   const auto hit = picture.pick(view, there.at);
   return !hit || view.project(hit->point).depth > there.depth - slack * view.pixel_size(point);
@@ -304,7 +304,8 @@ std::optional<Vec3> SpacePicker::point(const PointerFrame& /*frame*/) const {
   return seen_ ? std::optional(seen_->point) : std::nullopt;
 }
 
-/// The visible point in the middle of the view, or else the middle of the mesh.
+/// The visible point in the middle of the view; else the middle of the mesh, if in view, or the
+/// view's centre.
 Vec3 SpacePicker::middle(const PointerFrame& frame) const {
   const VolumeView& picture = frame.scene.picture;
   const ScreenBox box = frame.view.viewport();
