@@ -24,7 +24,7 @@ std::vector<double> field_values(const VirtualControlVolumes& vcv, const Mesh& m
   return element_values(vcv, mesh.coordinates, *options.color, 0, {.before = options.before.get()});
 }
 
-/// Content and texts of a picture of a mesh, in pixels and as vector graphics.
+/// What a picture of a mesh shows, as pixels or as vector graphics.
 struct Content {
   std::vector<NodalView> nodes;
   std::vector<double> values;

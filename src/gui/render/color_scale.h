@@ -30,7 +30,7 @@ enum class ColorAxis { automatic, linear, logarithmic };
 struct ColorScale {
   std::string map = "viridis";
   double low = 0, high = 1;
-  bool reversed = false;  ///< low values get the map's end, high ones its start
+  bool reversed = false;  ///< low values have the colours of the map's end
   int bands = 0;          ///< 0: continuous
   /// The value in the middle of a diverging map: each side of it has half of the map, and the
   /// number of bands is even. None: the middle of the range. Other maps ignore it.
@@ -43,7 +43,7 @@ struct ColorScale {
   Rgb color(double value) const;
   /// True if the map diverges and has a centre.
   bool diverges() const;
-  /// Where a value lies along a legend: 0 at low, 1 at high, clamped.
+  /// Position of a value along a legend: 0 at low, 1 at high, clamped.
   double share(double value) const;
   /// The value at a share of the way: the inverse of share().
   double value_at(double share) const;

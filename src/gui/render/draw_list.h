@@ -20,7 +20,7 @@ struct DrawList {
   std::vector<std::uint32_t> inverted_lines;      ///< 2 per edge of an inverted element
   std::vector<std::uint32_t> lines;  ///< 2 per line: interior, unmarked boundary, each marker
   std::vector<float> line_spacing;   ///< per line: distance to the next parallel line, world units;
-                                     ///< interior lines come in its order, the widest first
+                                     ///< interior lines are sorted by it, the widest first
   std::vector<Index> line_edge;      ///< per interior line: index into Topology::edges()
   /// Two per triangle: distance from its longest line to the opposite corner, and the length of its
   /// lines per area, each counted half. Only for lists worth merging, see many_lines; else empty.
@@ -67,8 +67,8 @@ inline double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
 /// True if any corner has an area that is not positive (or is not a number).
 bool is_inverted(const Coordinates& coordinates, std::span<const Index> corners);
 
-/// Corners (positions in the element) of the two triangles that fill a quadrilateral: cut along the
-/// diagonal that leaves no triangle turned over, where there is one.
+/// Corners (positions in the element) of the two triangles that fill a quadrilateral: cut along a
+/// diagonal that leaves no triangle turned over, if there is one.
 std::array<int, 6> cut_quadrilateral(const Coordinates& coordinates,
                                      std::span<const Index> corners);
 
@@ -85,14 +85,14 @@ double edge_spacing(const Topology& topology, const Coordinates& coordinates,
 inline constexpr float fade_distance = 6.0f;
 inline constexpr float vanishing_share = 0.06f;
 
-/// Lines closer together than this share of fade_distance times their width are no longer told
-/// apart: where there are very many, the surface takes on their mean colour instead, which costs
-/// next to nothing and does not flicker. Up to twice that spacing, surface and lines share.
+/// Lines closer together than this share of fade_distance times their width cannot be told apart.
+/// If there are very many, the surface has their mean colour instead, which costs next to nothing
+/// and does not flicker. Up to twice that spacing, lines fade into the surface.
 inline constexpr float merging_share = 0.25f;
 inline constexpr std::size_t many_lines = 150'000;
 
 /// The spacing below which a list's lines are merged into its triangles, in units of the mesh; 0:
-/// none are, as there are few. pixels_per_unit: of the view.
+/// the lines are too few to merge. pixels_per_unit: of the view.
 float merging_spacing(const DrawList& list, float width, float pixels_per_unit);
 
 /// Opacity, 0 to 1, of a line of that width among others at that distance (both in pixels).

@@ -116,8 +116,8 @@ class HeadlessContext {
   virtual std::string description() const = 0;  ///< "EGL surfaceless, llvmpipe ..."
 };
 
-/// EGL surfaceless, or OSMesa if the build says so. Throws Error saying what is missing and which
-/// package brings it.
+/// Makes a context: EGL surfaceless, or OSMesa if the build is configured so. Throws Error that
+/// names what is missing and its package.
 std::unique_ptr<HeadlessContext> make_headless_context();
 
 }  // namespace winslow::gui

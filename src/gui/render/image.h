@@ -19,7 +19,7 @@ struct Image {
 /// How much time is spent to make the file small.
 enum class PngEffort { normal, little };
 
-/// Written to a temporary name and renamed. Throws OutputError.
+/// Writes a PNG, first under a temporary name. Throws OutputError.
 void write_png(const std::filesystem::path& path, const Image& image,
                PngEffort effort = PngEffort::normal);
 

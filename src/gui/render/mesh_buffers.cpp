@@ -141,7 +141,7 @@ DrawList::Range MeshBuffers::triangles_seen(bool below_inverted) const {
                    seen.beside_inverted.count != seen.alone.count;
   if (below_inverted && cut) return seen.beside_inverted;
   if (!see_through_) return seen.alone;
-  // Without overlaps, there is nothing to see through to.
+  // A mesh without overlaps needs no triangles of `through`.
   return seen.alone.first == seen.whole.first ? seen.whole : seen.through;
 }
 

@@ -39,7 +39,8 @@ class MeshBuffers {
   /// whose faintest are drawn as part of the triangles, see merges(); null: none. below_inverted:
   /// draw_inverted_fill() follows, and what it hides need not be drawn.
   void draw_fill(const Rgba* color, const LineStyle* merged, bool below_inverted);
-  /// There are so many faint lines that draw_fill() draws them, and draw_interior_lines() does not.
+  /// True if there are so many faint lines that draw_fill() draws them instead of
+  /// draw_interior_lines().
   bool merges(const LineStyle& style) const { return merging_below(style) > 0; }
   void draw_inverted_fill(const Rgba& color);
   void draw_inverted_outlines(const LineStyle& style);

@@ -251,7 +251,7 @@ void hide_covered(DrawList& list) {
 }
 
 bool seen_through(DrawList& list, std::span<const std::uint32_t> rgba) {
-  // Without overlaps, there is no pile to see through.
+  // A mesh without overlaps has no pile to see through.
   if (!list.seen || list.seen->alone.first == list.seen->whole.first) return false;
   DrawList::Seen& seen = *list.seen;
   if (seen.vertices == 0) seen.vertices = list.node_spacing.size();

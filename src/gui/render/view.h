@@ -16,12 +16,12 @@ inline Vec3 place_in_plane(const Vec2& point) { return {point.x(), point.y(), 0}
 struct ViewDirection {
   double azimuth = 0, elevation = 0;  ///< degrees
   int up = 2;                         ///< 0, 1, 2: the x, y or z axis is up on screen
-  double roll = 0;  ///< degrees by which the picture is turned anticlockwise from there
+  double roll = 0;  ///< degrees by which the picture is turned anticlockwise about the direction
 
   bool operator==(const ViewDirection&) const = default;
 };
 
-/// Where a view looks.
+/// What a view looks at, and from which direction.
 struct LookedAt {
   Vec3 centre{0, 0, 0};  ///< in the middle of the viewport
   double units_per_pixel = 1;
@@ -74,7 +74,7 @@ class View {
 
   // For points of the plane z = 0.
   ScreenPoint to_screen(const Vec2& point) const { return project({point.x(), point.y(), 0}).at; }
-  /// Where the ray through a place meets the plane.
+  /// Intersection of the ray through a place with the plane.
   Vec2 to_plane(const ScreenPoint& at) const;
   double pixel_size(const Vec2& point) const { return pixel_size(Vec3(point.x(), point.y(), 0)); }
 };

@@ -28,7 +28,7 @@ class FilmMeshes {
   void follow_motion(const Session& session);
 
   Coordinates taken_;
-  std::vector<std::vector<Index>> moved_;  // nodes of each body that the job under way moves
+  std::vector<std::vector<Index>> moved_;  // nodes of each body moved by the job under way
 };
 
 /// Draws pictures of the window and of the mesh, for Capture.
@@ -60,7 +60,7 @@ class Capture {
   void apply(const PictureAction& action) { Dispatch::to(*this, action); }
   /// Takes the pictures that are due of the frame just laid out. Call it once a frame.
   void after_frame(PictureSource& source);
-  /// Collects what the threads have done. True if there is news to show.
+  /// Collects finished work of the threads. True if there is news to show.
   bool poll();
   /// True if something is under way that ends by itself.
   bool busy() const;
@@ -110,10 +110,10 @@ class Capture {
   FilmMeshes meshes_;
   bool ending_ = false;     // the recording ends with the queue
   bool following_ = false;  // the solver waits for pictures
-  bool stepping_ = false;   // the job goes on when its frame is taken
+  bool stepping_ = false;   // the job continues once its frame is recorded
   int turns_ = 0;           // frames of a turn that have been queued
   std::uint64_t shape_ = 0;
-  std::uint64_t left_ = 0;  // serial of the pause that the last step went on from
+  std::uint64_t left_ = 0;  // serial of the pause from which the last step continued
   std::chrono::steady_clock::time_point last_frame_{};
 };
 

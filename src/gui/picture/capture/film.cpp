@@ -45,7 +45,7 @@ std::vector<std::string> ffmpeg_arguments(const Film::Job& job, const fs::path& 
   return words;
 }
 
-/// The last lines of what ffmpeg said.
+/// The last lines of ffmpeg's output.
 std::string last_words(const std::string& text) {
   constexpr std::size_t most = 600;
   std::string end = text.size() > most ? "..." + text.substr(text.size() - most) : text;

@@ -63,7 +63,7 @@ class Recorder {
   enum class State {
     idle,
     recording,  ///< frames may come
-    writing,    ///< no more frames; those that came are being written
+    writing,    ///< no more frames; the remaining ones are being written
     encoding    ///< ffmpeg is at work
   };
 
@@ -73,7 +73,7 @@ class Recorder {
   void start(const std::filesystem::path& target, const RecordingSpec& spec);
   /// Folder of the frames of a target.
   static std::filesystem::path frames_folder(const std::filesystem::path& target);
-  /// True if start() would replace what is there.
+  /// True if start() would replace existing files.
   static bool occupied(const std::filesystem::path& target);
 
   State state() const { return state_; }

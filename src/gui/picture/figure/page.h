@@ -42,9 +42,9 @@ class Page {
   void clip(double x, double y, double width, double height);
   void unclip();
 
-  /// Draws a line of text with its left end at x and its middle at that height. In an SVG, text
-  /// lies above everything else, outside of clips. It can be searched and edited there, and has the
-  /// font of the studio if the reader has it.
+  /// Draws a line of text; x: its left end, middle: the middle of its height. In an SVG, text lies
+  /// above everything else, outside of clips. It can be searched and edited there, and has the font
+  /// of the studio if the reader has it.
   void text(double x, double middle, const std::string& text, double size, FontWeight weight);
   double text_width(const std::string& text, double size, FontWeight weight);
 

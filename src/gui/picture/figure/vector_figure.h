@@ -45,7 +45,8 @@ void draw_figure_scene(Page& page, const FigureScene& scene, const ScreenPoint& 
 
 /// A magnified part of the mesh, drawn over the mesh.
 struct FigureInset {
-  Camera camera;     ///< its viewport is where the inset goes, as the figure's
+  Camera camera;     ///< its viewport is the place of the inset, in the coordinates of the figure's
+                     ///< viewport
   ScreenBox source;  ///< what it magnifies
 };
 
@@ -55,15 +56,15 @@ struct VectorFigure {
   /// The drawing of a mesh in space; replaces `mesh` and what belongs to it.
   std::shared_ptr<const FigureScene> scene;
   Mesh mesh;
-  Camera camera;  ///< its viewport is where the mesh goes; what lies outside is cut off
-  std::vector<double> values;       ///< colour the elements, one each; none: plain
-  std::optional<Legend> legend;     ///< right of the mesh; its scale is that of the values
-  std::optional<ColorScale> scale;  ///< of the values
-  std::string title;                ///< above the mesh; empty: none
-  std::string warning;              ///< below it, in red; empty: none
-  std::string note;                 ///< beside it; empty: none
+  Camera camera;                 ///< its viewport is the place of the mesh, which is clipped to it
+  std::vector<double> values;    ///< colour the elements, one each; none: plain
+  std::optional<Legend> legend;  ///< right of the mesh, with the scale of the values
+  std::optional<ColorScale> scale;               ///< of the values
+  std::string title;                             ///< above the mesh; empty: none
+  std::string warning;                           ///< below it, in red; empty: none
+  std::string note;                              ///< beside it; empty: none
   std::vector<std::pair<std::string, Rgb>> key;  ///< names of markers in their colours, below it
-  /// Of each marker of the mesh; none: it is not drawn.
+  /// Colour of each marker of the mesh; none: the marker is not drawn.
   std::vector<std::optional<Rgb>> marker_colors;
   std::vector<NodalView> vcvs;  ///< drawn over the mesh
   std::optional<FigureInset> inset;

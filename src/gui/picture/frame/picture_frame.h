@@ -39,9 +39,9 @@ class PictureFrame {
 
   /// Size of the letters in pixels; lines and margins scale with it.
   float font_size() const { return font_size_; }
-  /// Where the mesh goes: left, top, width, height in pixels.
+  /// Place of the mesh: left, top, width, height in pixels.
   const std::array<double, 4>& mesh_area() const { return area_; }
-  /// Whether there is room for letters at all.
+  /// True if there is room for letters at all.
   bool has_room_for_text() const;
   /// Draws over the mesh, within its area; font: for labels.
   using OverMesh = std::function<void(ImDrawList& list, ImFont* font)>;

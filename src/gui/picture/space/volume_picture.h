@@ -36,7 +36,7 @@ struct VolumePictureOptions {
   std::vector<std::string> see_through;  ///< markers that are drawn as see-through surfaces
 
   std::optional<ViewDirection> view;  ///< none: onto the cuts, or three quarters
-  int up = 2;                         ///< of that view: axis that is up on screen, 0 to 2
+  int up = 2;                         ///< of the view: axis that is up on screen, 0 to 2
   bool perspective = false;
   std::optional<Vec3> centre;  ///< point in the middle of the picture; none: all is shown
   std::optional<double>

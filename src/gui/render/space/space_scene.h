@@ -9,7 +9,7 @@ namespace winslow::gui {
 
 /// Most planes by which a scene is clipped.
 inline constexpr std::size_t most_clip_planes = 6;
-/// Value of clipped_by for what all planes clip, however many there are.
+/// Value of clipped_by for clipping by all planes, however many there are.
 inline constexpr unsigned by_all_planes = std::numeric_limits<unsigned>::max();
 
 /// A corner of a triangle in the form that the graphics card needs: single precision, relative to
@@ -67,7 +67,7 @@ struct SpaceScene {
 struct SpaceHit {
   Vec3 point{0, 0, 0};
   Vec3 normal{0, 0, 1};  ///< of length 1, towards the viewer
-  Index element = -1;    ///< that shows there
+  Index element = -1;    ///< the visible element
   Index marker = -1;     ///< of the boundary; -1: none, or a cut through the mesh
 };
 

@@ -24,7 +24,7 @@ class SpaceCamera final : public View {
   void set_viewport(double x, double y, double width, double height);
   ScreenBox viewport() const override { return {{x_, y_}, {x_ + width_, y_ + height_}}; }
 
-  /// What is in the middle of the viewport stays there.
+  /// The point in the middle of the viewport stays there.
   void look_from(const ViewDirection& direction);
   const ViewDirection& direction() const { return direction_; }
   /// The pivot stays where it is on screen.
@@ -75,7 +75,7 @@ class SpaceCamera final : public View {
     return viewport() == other.viewport() && looked_at() == other.looked_at() &&
            angle_ == other.angle_ && content_ == other.content_;
   }
-  /// Where the viewer is, in perspective.
+  /// Position of the viewer, in perspective.
   Vec3 viewer() const { return centre_ + distance() * back_; }
 
  private:

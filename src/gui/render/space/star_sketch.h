@@ -40,7 +40,7 @@ class StarSketch {
   struct Flat {
     std::array<Corner, 3> corners;  ///< counter-clockwise on paper
     double depth = 0;               ///< of the middle
-    double area = 0;                ///< twice that on screen, positive
+    double area = 0;                ///< twice the area on screen, positive
     double depth_at(const ScreenPoint& p) const;
   };
   void order();
@@ -49,8 +49,8 @@ class StarSketch {
 
   const SpaceCamera& camera_;
   std::vector<Face> faces_;
-  std::vector<Flat> flats_;  // of triangles that are not seen from their edge
-  double slack_ = 0;         // depths that differ by less count as one
+  std::vector<Flat> flats_;  // of triangles that are not seen edge on
+  double slack_ = 0;         // smaller differences of depth do not count
 };
 
 }  // namespace winslow::gui

@@ -52,7 +52,7 @@ void MeshLayer::color(const std::shared_ptr<const QualityMonitor::Measured>& mea
     legend_.reset();
     return;
   }
-  // Until the field asked for is measured, the colours stay what they are.
+  // Until the requested field is measured, the colours stay.
   if (!measured || measured->field != view.color || painter_.busy()) return;
   if (measured->topology != renderer_.topology()) return;
   ColorKey key{measured, color_choice(view), view.isolation, {}};

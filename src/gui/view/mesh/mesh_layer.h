@@ -93,7 +93,7 @@ class BeforeMesh {
  public:
   /// Call in every frame. view: in a coloured comparison side by side, its field is measured, too.
   void update(const LiveMesh& mesh, const ViewOptions& view);
-  /// True if a measurement has come in.
+  /// True if a measurement has finished.
   bool poll() { return monitor_.poll(); }
   bool busy() const { return monitor_.busy(); }
 

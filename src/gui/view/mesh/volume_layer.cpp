@@ -39,7 +39,7 @@ struct VolumeScenes::Memory {
     std::uint64_t boundary_places = 0;  // of the boundary
     const void* painted = nullptr;
     const void* flags = nullptr;     // of the elements of the part
-    const void* inverted = nullptr;  // those that are red in it
+    const void* inverted = nullptr;  // elements that are red in the part
     bool isolated = false;           // outlines replace the surfaces of a solid mesh
     std::optional<CutPlane> cut;
     bool operator==(const PartKey&) const = default;

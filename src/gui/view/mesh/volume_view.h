@@ -68,7 +68,7 @@ class VolumeView {
 
   VolumeLayer layer_;
   SpaceRenderer renderer_;
-  std::uint64_t drawn_ = 0;  // revision of the layer that the renderer has
+  std::uint64_t drawn_ = 0;  // revision of the layer held by the renderer
   // The mesh before: a ghost over the mesh now, or beside it.
   VolumeLayer before_layer_;
   SpaceRenderer before_renderer_;

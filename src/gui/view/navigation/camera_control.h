@@ -38,8 +38,8 @@ class CameraControl {
   void go_to(const MeshItem& item);
   /// True if a node is on screen.
   bool sees(Index node) const;
-  /// Zooms so that the content of a box of the screen is as large as there is room for. depth: a
-  /// point at the depth of that content.
+  /// Zooms a box of the screen to fill the viewport. depth: a point at the depth of the box's
+  /// content.
   void zoom_to(const ScreenBox& box, const Vec3& depth);
   /// Shrinks the content in the middle of the view and moves it up, so that a card at the view's
   /// foot does not cover it. Does nothing if the card does not reach the middle.

@@ -17,7 +17,7 @@ namespace {
 /// Texts for meshes of one kind.
 struct ItemWords {
   const char* expected;  ///< names of items, for the error message
-  const char* sides;     ///< of an element that lie on markers
+  const char* sides;     ///< name for sides of an element that lie on markers
   const char* quality;   ///< normalized Jacobian
   bool faces = false;    ///< faces have numbers
 };

@@ -34,8 +34,8 @@ std::vector<ElementField> rankings(MeshKind kind);
 ElementField worst_field(const ViewOptions& view, MeshKind kind);
 /// The worst elements, worst first, as many as `view` asks for.
 std::span<const WorstElement> worst_elements(const Session& session, const ViewOptions& view);
-/// The element `by` places further down the list than the one in focus; the first if none is.
-/// None if there is no list.
+/// The element `by` places further down the list than the focus; the first element without a focus.
+/// None without a list.
 std::optional<MeshItem> next_worst(const Session& session, const ViewOptions& view,
                                    const std::optional<MeshItem>& focus, int by);
 

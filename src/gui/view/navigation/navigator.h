@@ -78,7 +78,7 @@ class Navigator {
   void set_card(const std::optional<ScreenBox>& card) { card_ = card; }
   const std::optional<ScreenBox>& card() const { return card_; }
 
-  // In every frame.
+  // To be called in every frame.
   /// area: part of the framebuffer in which the mesh is drawn, pixels.
   void set_viewport(const ScreenBox& area);
   /// Keeps the view of the previous mesh for when it is opened again; call it when another mesh, or

@@ -78,7 +78,7 @@ void ViewControl::set_mouse(const std::optional<ScreenPoint>& mouse,
   state_.pixel = now.units_per_pixel;
   state_.seen = seen;
   state_.looks_from = now.direction;
-  // In space, a place on screen has no point of its own, only what is seen there.
+  // In space, a place on screen has no unique point; the visible item there has one.
   state_.cursor = mouse && !now.direction ? std::optional(camera().to_world(*mouse)) : std::nullopt;
 }
 

@@ -145,8 +145,8 @@ void RoleOverlay::find_in_plane(const ViewOverlay& o, const NodeRoles& roles) {
   }
 }
 
-/// Finds the nodes of bodies and of moving parts. Leaves out the enclosure where it stays, and what
-/// a cut takes away.
+/// Finds the nodes of bodies and of moving parts. Leaves out an enclosure that stays, and what a
+/// cut removes.
 void RoleOverlay::find_in_picture(const ViewOverlay& o, const VolumeScenes& scenes,
                                   const NodeRoles& roles) {
   const VolumeBoundary& boundary = *o.session.document()->boundary();

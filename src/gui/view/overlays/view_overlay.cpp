@@ -308,7 +308,7 @@ void draw_region(ImDrawList& list, const Session& session, const View& view, con
   DashedLines lines(list, view, theme);
   if (keep.corner && keep.opposite) space ? draw_box(lines, keep) : draw_rectangle(lines, keep);
   if (keep.radius) {
-    // None: there is no selection to centre it on.
+    // None: there is no selection around which to draw the circle.
     const auto centre =
         keep.centre ? std::optional<Vec3>(*keep.centre) : session.selection().own().centre();
     if (!centre) return;

@@ -11,7 +11,7 @@
 
 namespace winslow::gui {
 
-/// Where a magnifier is and what it shows.
+/// Place of a magnifier, and the part of the view that it magnifies.
 struct Inset {
   Camera camera;     ///< its viewport is the inset's place in the framebuffer
   ScreenBox source;  ///< what it magnifies
@@ -63,7 +63,7 @@ ImVec2 draw_tag(ImDrawList& list, const Theme& theme, const ImVec2& at, const ch
 class Lens {
  public:
   explicit Lens(MeshView& mesh) : mesh_(mesh) {}
-  Lens(const Lens&) = delete;  // draw lists know its address
+  Lens(const Lens&) = delete;  // draw lists hold its address
   Lens& operator=(const Lens&) = delete;
 
   void place(std::optional<Inset> inset) { inset_ = std::move(inset); }

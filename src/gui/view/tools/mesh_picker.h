@@ -57,7 +57,7 @@ class MeshPicker {
   virtual bool inspect(const PointerFrame& frame) const = 0;
   /// Where a click puts a point of the ruler; none: nowhere.
   virtual std::optional<RulerPoint> ruler_point(const PointerFrame& frame) = 0;
-  /// What the menu of a right click is about.
+  /// The item to which the menu of a right click applies.
   virtual PickedPlace place_at(const ScreenPoint& at, const PointerFrame& frame) = 0;
 
  protected:

@@ -6,8 +6,7 @@
 namespace winslow::gui {
 
 /// Numbers typed while the mouse drags a body: "30" turns it by 30 degrees, "0.1 Tab 0.2" moves it
-/// by (0.1, 0.2), in space "0.1 Tab 0.2 Tab 0.3". As long as there are any, they count in place of
-/// the mouse.
+/// by (0.1, 0.2), in space "0.1 Tab 0.2 Tab 0.3". Typed numbers replace the motion of the mouse.
 class TypedMotion {
  public:
   void clear() { *this = TypedMotion(); }
@@ -22,7 +21,7 @@ class TypedMotion {
   bool active() const {
     return std::ranges::any_of(fields_, [](const std::string& text) { return !text.empty(); });
   }
-  /// As typed.
+  /// Text of a field as typed.
   const std::string& text(std::size_t field) const { return fields_[field]; }
   std::size_t field() const { return at_; }
   /// Value of a field: 0 if it is empty; none if it is not (yet) a number, such as "-".
@@ -118,7 +117,7 @@ class MotionGesture {
   Vec3 grip_{1, 0, 0};
   ScreenPoint last_;
   // Points at the depth of the pivot, so that the view may change during the drag: where the mouse
-  // was pressed, and where it would be now if fine motion had really moved it more slowly.
+  // was pressed, and where it would be now if fine motion slowed down the mouse itself.
   Vec3 from_{0, 0, 0}, to_{0, 0, 0};
   double turned_ = 0;  // angle by the mouse, degrees, not limited to half turns
 };

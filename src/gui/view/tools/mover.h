@@ -32,7 +32,7 @@ class Mover {
   /// Numbers typed during the drag, which count in place of the mouse.
   const TypedMotion& typed() const { return typed_; }
 
-  /// Where the handle is now; none: there is nothing to move, or it lies behind the viewer.
+  /// The handle at its present place; none: there is nothing to move, or it lies behind the viewer.
   std::optional<Gizmo> gizmo(const ViewportScene& scene, const View& view) const;
 
  private:

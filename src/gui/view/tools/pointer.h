@@ -32,7 +32,7 @@ struct ViewportScene {
   const VolumeView& picture;  ///< of a volume mesh
   const ViewOptions& options;
   std::vector<Index> taken_out = {};    ///< markers that the mouse passes through, ascending
-  std::optional<std::size_t> cut = {};  ///< that has a handle
+  std::optional<std::size_t> cut = {};  ///< the cut with a handle
   double reach = 0;                     ///< of the selection around its pivot, units of the mesh
   double scale = 1;                     ///< of the interface; sizes of handles grow with it
   bool box_zoom = false;                ///< the next drag draws the box to zoom to

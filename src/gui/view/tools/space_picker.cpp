@@ -216,8 +216,8 @@ std::optional<SeenPlace> seen_at(const ScreenPoint& at, const PointerFrame& fram
   return seen;
 }
 
-/// What lies at a place if it is wanted, else the first wanted of eight places around it, so that
-/// the rim of a body can be picked from beside it. reach: pixels.
+/// What lies at a place if it is wanted, else the first wanted item at eight places around it, so
+/// that the rim of a body can be picked from beside it. reach: pixels.
 template <class Wanted>
 std::optional<SeenPlace> seen_near(const std::optional<SeenPlace>& there, double reach,
                                    const PointerFrame& frame, const Wanted& wanted) {

@@ -62,7 +62,7 @@ class SpacePicker : public MeshPicker {
 
   PivotPicker pivot_picker_;
   std::optional<SeenPlace> surface_;  // place for which pivot_source() and held() were found
-  // What seen() was found for.
+  // Input for which seen() was found.
   struct Looked {
     ScreenPoint at;
     ViewKey view;
