@@ -12,8 +12,7 @@ struct PictureOptions {
   int width = 1200, height = 900;     ///< pixels
   std::optional<ElementField> color;  ///< colour elements by this
   std::optional<Bounds> bounds;       ///< shown whole; default: the whole mesh
-  /// The nodes as they were before, for WallField::first_height_ratio; null: that field has no
-  /// values.
+  /// Earlier nodes, for WallField::first_height_ratio; null: that field has no values.
   std::shared_ptr<const Coordinates> before;
   ColorChoice colors;  ///< of what is coloured; on_dark follows dark
   bool wireframe = true;

@@ -12,8 +12,7 @@
 namespace winslow::gui {
 
 struct FigurePolygon {
-  std::vector<ScreenPoint>
-      corners;  ///< in points, relative to the corner of the mesh's part of the page
+  std::vector<ScreenPoint> corners;  ///< points, from the corner of the mesh's part of the page
   Rgb color{1, 1, 1};
   double alpha = 1;
 };
@@ -45,8 +44,7 @@ void draw_figure_scene(Page& page, const FigureScene& scene, const ScreenPoint& 
 
 /// A magnified part of the mesh, drawn over the mesh.
 struct FigureInset {
-  Camera camera;     ///< its viewport is the place of the inset, in the coordinates of the figure's
-                     ///< viewport
+  Camera camera;     ///< its viewport is the place of the inset, relative to that of the figure
   ScreenBox source;  ///< what it magnifies
 };
 

@@ -38,9 +38,8 @@ struct VolumePictureOptions {
   std::optional<ViewDirection> view;  ///< none: onto the cuts, or three quarters
   int up = 2;                         ///< of the view: axis that is up on screen, 0 to 2
   bool perspective = false;
-  std::optional<Vec3> centre;  ///< point in the middle of the picture; none: all is shown
-  std::optional<double>
-      half_width;  ///< of what is seen around it, units of the mesh; none: all is shown
+  std::optional<Vec3> centre;        ///< point in the middle of the picture; none: all is shown
+  std::optional<double> half_width;  ///< of what is seen there, in mesh units; none: all is shown
 
   std::optional<Box<3>> extent;  ///< what "all" means for these two; none: what is drawn
 

@@ -19,8 +19,7 @@ struct MeshColors {
 };
 MeshColors mesh_colors(const ViewOptions& view);
 
-/// Colour of a marker: the user's choice, else a default by the marker's number. dark: the
-/// background is dark.
+/// Colour of a marker: the user's choice, else by its number. dark: the background is dark.
 Rgb color_of_marker(const ViewOptions& view, const std::string& name, Index marker, bool dark);
 /// The view's settings for the colours of elements.
 ColorChoice color_choice(const ViewOptions& view);
@@ -31,8 +30,7 @@ inline bool isolated(double value, const Isolation& isolation) {
   return isolation.above ? value > isolation.threshold : value < isolation.threshold;
 }
 long long isolated_count(std::span<const double> values, const Isolation& isolation);
-/// Opacity per element: 1 if it is isolated, else that of the other elements; empty if nothing is
-/// isolated.
+/// Opacity per element: 1 if isolated, else that of the others; empty if nothing is isolated.
 std::vector<float> element_opacity(std::span<const double> values, const Isolation& isolation);
 /// Isolation that is off, preset to the threshold and side that single out bad elements by a field.
 Isolation isolation_for(const ElementField& field);

@@ -44,7 +44,7 @@ void draw_ring(ImDrawList& list, const Theme& theme, const ScreenPoint& at, floa
   list.AddCircle(place, radius, palette().text, 24, theme.px(1.5f));
 }
 
-/// overridden: the user has set the role.
+/// overridden: the options set the role.
 void draw_dot(ImDrawList& list, const Theme& theme, const ScreenPoint& at, NodeRole role,
               bool overridden = false) {
   if (overridden) draw_ring(list, theme, at, theme.px(7.5f));

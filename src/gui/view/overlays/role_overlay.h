@@ -10,7 +10,7 @@ namespace winslow::gui {
 
 /// Draws the roles of nodes in smoothing as coloured dots, with a key. Plane mesh: all nodes in
 /// view, as far as there is room. Volume mesh: the visible nodes of the boundary. Nodes whose role
-/// the user has set have a ring, held ones are squares. Edges at which sliding markers turn are
+/// the options override have a ring, held ones are squares. Edges at which sliding markers turn are
 /// lines. While the feature angle is edited, the roles are shown whatever the view's options are.
 class RoleOverlay {
  public:

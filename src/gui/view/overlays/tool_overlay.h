@@ -39,8 +39,7 @@ std::string handle_hint(const Handle& handle, const GizmoPlace& place);
 /// Text for the distance of a drag, or for the numbers typed in its place.
 std::string motion_text(const Mover& mover, const View& view);
 
-/// Draws the points of the ruler, the lines between them and their measurements, above everything
-/// else.
+/// Draws the ruler's points, the lines between them and their measurements, above everything else.
 void draw_ruler(ImDrawList& list, const ViewOverlay& overlay, const Ruler& ruler);
 
 /// Lines of text for a measurement: "Length 0.5412", "x +0.5   y -0.2", "-21.80 degrees against x",

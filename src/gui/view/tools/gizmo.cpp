@@ -6,8 +6,7 @@ namespace winslow::gui {
 
 namespace {
 
-constexpr double end_on =
-    0.2;  // sine of a line's angle to the view direction, cosine of a plane's normal to it
+constexpr double end_on = 0.2;  // sine of a line, cosine of a plane's normal to the line of sight
 constexpr double ring_edge_on = 0.25;  // cosine of a ring's axis to the viewer
 constexpr double most_speed = 6;       // of a point, relative to that of the mouse
 constexpr double smallest_circle =

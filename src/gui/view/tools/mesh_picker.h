@@ -52,8 +52,8 @@ class MeshPicker {
   /// they are selected. Returns a point of what is dragged; none: there is nothing to drag.
   virtual std::optional<Vec3> grab(const PointerFrame& frame) = 0;
   virtual void click(const PointerFrame& frame) const = 0;
-  /// Shows the node under the mouse in the tab VCV. False, without effect, if clicks do not pick
-  /// nodes.
+  /// Shows the node under the mouse in the tab VCV. False if clicks do not pick nodes, or none is
+  /// there.
   virtual bool inspect(const PointerFrame& frame) const = 0;
   /// Where a click puts a point of the ruler; none: nowhere.
   virtual std::optional<RulerPoint> ruler_point(const PointerFrame& frame) = 0;

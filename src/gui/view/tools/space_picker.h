@@ -18,8 +18,8 @@ std::optional<Index> nearest_corner(const SeenPlace& seen, const Mesh& mesh);
 /// Finds what a click in a volume mesh sets the pivot to.
 class PivotPicker {
  public:
-  /// The pivot that a click at a place would set; none: no surface is there. From two nodes: the
-  /// node there alone, or both once `first` is set.
+  /// The pivot that a click at a place would set; none: no surface is there. If the pivot is made
+  /// from two nodes: the node there alone, or both once `first` is set.
   std::optional<PivotSource> source_at(const SeenPlace& seen, PivotFrom from,
                                        std::optional<Index> first, const Session& session);
   /// End nodes of the straight row of sharp edges through an edge. The edge's own ends if it is not

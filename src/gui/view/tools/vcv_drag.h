@@ -56,8 +56,7 @@ class SphereDrag {
   std::vector<Index> neighbours_;
   SphereStencil stencil_;
   std::size_t edge_;
-  double least_ =
-      0;  // lower limit of the solid angle of a triangle, as a share of the equal solid angle
+  double least_ = 0;  // least solid angle of a triangle, as a share of the equal solid angle
   double shortest_ = 0;
   std::optional<Index> stopped_by_;
 };
