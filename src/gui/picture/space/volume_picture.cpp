@@ -42,7 +42,7 @@ std::vector<unsigned char> worse_than(double threshold, const ElementField& fiel
   const bool larger = field_info(field).larger_is_better;
   std::vector<unsigned char> chosen;
   chosen.reserve(values.size());
-  // The comparisons count NaN as worse.
+  // A NaN fails either comparison, and so counts as worse.
   for (const double v : values)
     chosen.push_back((larger ? v >= threshold : v <= threshold) ? 0 : 1);
   return chosen;

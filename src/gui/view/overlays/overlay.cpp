@@ -108,7 +108,7 @@ void draw_offered_pivot(ImDrawList& list, const Overlay& o) {
 }
 
 /// Draws where the mouse puts the body or the part of the boundary: the mesh may be a step behind.
-/// In space not once the mesh has arrived, since the outline would hide it.
+/// In space only until the mesh has arrived, as the outline would hide it.
 void draw_wanted(ImDrawList& list, const Overlay& o) {
   const BodyDrag* drag = o.session.mesh().work().body_drag();
   if (o.session.in_space() && (!drag || drag->reach() == BodyDrag::Reach::there)) return;

@@ -64,8 +64,7 @@ CutPlane moved_cut(const CutPlane& cut, const CutHandle& handle, const View& vie
   return cut_through(Vec3(cut.point.data()) + along * handle.normal, Vec3(cut.normal.data()));
 }
 
-/// The arrow's tip stays on a sphere about its foot, on its side of the sphere as seen by the
-/// viewer.
+/// The arrow's tip stays on a sphere about its foot, on the side, near or far, on which it is.
 CutPlane turned_cut(const CutPlane& cut, const CutHandle& handle, const View& view,
                     const ScreenPoint& to) {
   const Ray<3> ray = view.unproject(to);

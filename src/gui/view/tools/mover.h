@@ -15,7 +15,7 @@ class Mover {
   /// Begins a drag with a handle of a gizmo.
   void begin(const Handle& handle, const Gizmo& gizmo, const ScreenPoint& from,
              const PointerFrame& frame);
-  /// Begins to drag what lies at a point in parallel to the screen: a body, or the held part of the
+  /// Begins to drag what lies at a point, parallel to the screen: a body, or the held part of the
   /// boundary.
   void grab(const Vec3& point, const ScreenPoint& from, const PointerFrame& frame);
   /// Continues the drag by a frame. Enter, Esc or release of the button end it. before: the mouse

@@ -65,7 +65,7 @@ constexpr double least_share = 0.02;    // of the equal solid angle
 constexpr double shortest_share = 0.1;  // of the mean length
 constexpr int halvings = 24;
 
-/// Interpolates between two unit vectors; returns `a` for opposite ones.
+/// Interpolates between two unit vectors; returns `a` where opposite ones cancel.
 Vec3 between(const Vec3& a, const Vec3& b, double share) {
   const Vec3 sum = (1 - share) * a + share * b;
   return sum.norm() > 1e-9 ? Vec3(sum.normalized()) : a;
