@@ -11,32 +11,32 @@
 #include "gui/settings/picture_spec.h"
 #include "gui/settings/view_state.h"
 
-/// What a user can ask for. Panels and the viewport emit actions; those who are named above each
-/// group carry them out. Nothing else changes the state of the studio.
+/// Requests of the user. Panels and the viewport emit actions; the class named above each group
+/// carries them out. Nothing else changes the state of the studio.
 ///
-/// TO ADD AN ACTION, add it to its group and to the variant of that name, which stand here or, if
-/// it is of the open mesh alone, in document_actions.h. It compiles once its handler has a function
-/// on() for it (see Dispatch).
+/// TO ADD AN ACTION, add it to its group and to the variant of that name: in document_actions.h if
+/// it concerns only the open mesh, otherwise here. It compiles once its handler has a function on()
+/// for it (see Dispatch).
 namespace winslow::gui {
 
-/// What lies at a place of the mesh on screen, as a click there means it.
+/// The parts of the mesh at a clicked place of the screen.
 struct PickedPlace {
-  std::optional<Vec2> point;     ///< units of the mesh; none: a row of a list was clicked
-  std::vector<Index> markers;    ///< of the body there, ascending; empty: none
-  std::optional<Index> node;     ///< near enough to be meant
-  std::optional<Index> element;  ///< that contains the point
-  /// Of a volume mesh, with the normal of the surface there, towards the viewer.
+  std::optional<Vec2> point;     ///< units of the mesh; none: the click was on a row of a list
+  std::vector<Index> markers;    ///< markers of the body there, ascending; empty: none
+  std::optional<Index> node;     ///< node near enough to the click
+  std::optional<Index> element;  ///< element that contains the point
+  /// Volume mesh: the point and the normal of the surface there, towards the viewer.
   std::optional<std::array<Vec3, 2>> in_space = {};
-  std::optional<Index> face = {};  ///< of the boundary of a volume mesh, as Topology numbers them
+  std::optional<Index> face = {};  ///< boundary face of a volume mesh, numbered as in Topology
 };
 
 }  // namespace winslow::gui
 
 namespace winslow::gui::action {
 
-/// Where the user looks and what is drawn. Carried out by Navigator and ViewControl.
+/// Camera and drawing options. Carried out by Navigator and ViewControl.
 
-/// Sets some of the view's options and leaves the others as they are.
+/// Sets some of the view's options and leaves the others unchanged.
 struct EditView {
   OptionEdit<ViewOptions> edit;
 };
@@ -47,74 +47,74 @@ struct FitBodies {};
 struct FitMarkers {
   std::vector<Index> markers;
 };
-/// Clicks measure from now on, or no longer.
+/// Switches the ruler, with which clicks measure, on or off.
 struct ToggleRuler {};
 struct LookAt {
   Vec3 point;         ///< z = 0 in the plane
-  double radius = 0;  ///< shown around the point, in units of the mesh
+  double radius = 0;  ///< of the region shown around the point, in units of the mesh
 };
-/// The next drag of the mouse draws the box to zoom to; again: it does not.
+/// The next drag of the mouse draws the box to zoom to; a second action cancels this.
 struct BoxZoom {};
-/// Shows what lies in a box of the screen, as large as there is room for.
+/// Enlarges a box of the screen until it fills the view.
 struct ZoomToScreen {
   ScreenBox box;
-  Vec3 depth;  ///< a point as deep as what is meant
+  Vec3 depth;  ///< a point at the depth of the objects to zoom to
 };
-/// Looks at a volume mesh from a direction with a name, as named_view() knows it.
+/// Looks at a volume mesh from a named direction, see named_view().
 struct LookFrom {
   std::string name;
 };
-/// Looks at a volume mesh, and cuts it, as is said.
+/// Sets the view and the cuts of a volume mesh.
 struct ShowLook {
   SpaceLook look;
 };
-/// The same through what is in the middle of the view, across the axis that points to the viewer
-/// most.
+/// Adds a cut through the centre of the view, normal to the axis that points most towards the
+/// viewer.
 struct AddCutAcrossView {};
-/// Gives a cut a handle in the picture; none: none has one.
+/// Gives a cut a handle in the picture; none: no cut has a handle.
 struct HoldCut {
   std::optional<std::size_t> cut;
 };
-/// Cuts a volume mesh by one more plane; what the normal points to is taken away.
+/// Adds a cutting plane to a volume mesh; the side that the normal points to is removed.
 struct AddCut {
   Vec3 point, normal;
 };
 struct BackView {};
 struct ForwardView {};
-/// Highlights a node or an element and centres it; none: nothing is highlighted any more.
+/// Highlights a node or an element and centres the view on it; none: clears the highlight.
 struct GoTo {
   std::optional<MeshItem> item;
-  bool centre = true;  ///< false: the view stays where it is
+  bool centre = true;  ///< false: the view does not move
 };
-/// Selects a node, shows it in the inspector and brings it into sight.
+/// Selects a node, shows it in the inspector and moves the view to it if necessary.
 struct InspectNode {
   std::optional<Index> node;
 };
-/// Pins the magnifier to the place under the mouse; pinned, it is put away.
+/// Pins the magnifier to the place under the mouse; a pinned magnifier is switched off.
 struct PinMagnifier {};
-/// Puts the keyboard into the field "Go to".
+/// Gives the keyboard focus to the field "Go to".
 struct AskGoTo {};
-/// Shows what nodes do while the mesh is smoothed, whatever the view's options are; or no longer.
+/// Shows the roles of nodes in smoothing regardless of the view's options, or stops showing them.
 struct PreviewRoles {
   bool on = false;
 };
-/// Steps the scale of the interface up (1) or down (-1), or back to the screen's own (0).
+/// Steps the scale of the interface up (1), down (-1), or back to that of the screen (0).
 struct StepScale {
   int by = 0;
 };
 
 /// Pictures and recordings. Carried out by Capture.
 
-/// The window as it is.
+/// Saves a picture of the window at its present size.
 struct TakeScreenshot {
   std::filesystem::path path;  ///< empty: a new name in the working folder
   bool overwrite = false;
 };
-/// The whole of the settings, as a dialog that was accepted has them.
+/// Replaces all settings of pictures by those of an accepted dialog.
 struct SetPictureSpec {
   PictureSpec spec;
 };
-/// A picture by the settings of SetPictureSpec: .png, or the mesh alone as .svg or .pdf.
+/// Saves a picture with the settings of SetPictureSpec: .png, or the mesh alone as .svg or .pdf.
 struct SavePicture {
   std::filesystem::path path;
   bool overwrite = false;
@@ -123,34 +123,34 @@ struct SavePicture {
 struct SetRecordingSpec {
   RecordingSpec spec;
 };
-/// Records the mesh from now on, by the settings of SetRecordingSpec.
+/// Starts to record the mesh, with the settings of SetRecordingSpec.
 struct StartRecording {
-  std::filesystem::path path;       ///< .mp4 or .gif: a film; else a folder of PNG frames
-  std::optional<std::size_t> step;  ///< carry out this step of the history again, and record that
+  std::filesystem::path path;       ///< .mp4 or .gif: a film; otherwise a folder of PNG frames
+  std::optional<std::size_t> step;  ///< step of the history to rerun and record
   bool overwrite = false;
 };
-struct StopRecording {};    ///< what was recorded is written
-struct CancelRecording {};  ///< what was recorded is thrown away
+struct StopRecording {};    ///< writes the recording
+struct CancelRecording {};  ///< discards the recording
 
-/// Dialogs that come up. Carried out by Dialogs.
+/// Dialogs to open. Carried out by Dialogs.
 
 struct ShowFileDialog {
   FilePurpose purpose = FilePurpose::open_mesh;
-  std::string extension = {};  ///< ".vtu": of the name to start with; empty: as it is
-  bool proceed = false;        ///< of a mesh to be saved: as action::SaveMesh
+  std::string extension = {};  ///< ".vtu": of the suggested name; empty: unchanged
+  bool proceed = false;        ///< when saving a mesh: see action::SaveMesh
 };
 struct ShowPictureDialog {};
 struct ShowRecordDialog {
-  std::optional<std::size_t> step;  ///< as StartRecording
+  std::optional<std::size_t> step;  ///< see StartRecording
 };
 struct ShowStepEditor {
   std::size_t position = 0;
 };
-/// The surface in a file, for nodes to slide on in the step that is being edited.
+/// Sets the file of the surface on which nodes slide in the step being edited.
 struct ChooseStepReference {
   std::filesystem::path file;
 };
-/// The menu of a right click, beside the mouse.
+/// Opens the context menu beside the mouse.
 struct ShowContextMenu {
   PickedPlace place;
 };
@@ -158,17 +158,17 @@ struct ShowHelp {};
 struct ShowPalette {};
 struct ShowAbout {};
 
-/// The studio's first page and what outlives the studio. Carried out by the workbench.
+/// The welcome page and the data kept between runs. Carried out by the workbench.
 
-/// The page of recent and bundled meshes comes, or goes.
+/// Shows or hides the page of recent and bundled meshes.
 struct ShowWelcome {};
 struct ClearRecent {};
-/// Puts the keyboard into a field of the column on the left, which comes up and unfolds for it. A
-/// name that ends in "/" is that of the section of such fields: it unfolds.
+/// Gives the keyboard focus to a field of the left column; opens the column and unfolds the
+/// section. A name that ends in "/" is the name of a section, which is unfolded.
 struct EditField {
   std::string field;  ///< id of the widget: "motion/rotate"
 };
-/// Puts a text where other programs can paste it.
+/// Copies a text to the clipboard.
 struct CopyText {
   std::string text;
 };
@@ -186,11 +186,11 @@ struct StartDemo {
   std::string id;
   bool discard_changes = false;  ///< false: ask if the open mesh has unsaved changes
 };
-/// To the next step or, with -1, back to the one before.
+/// Goes to the next step or, with -1, to the previous one.
 struct StepDemo {
   int by = 1;
 };
-/// Goes on by itself, or waits at each step.
+/// Advances automatically, or waits at each step.
 struct PlayDemo {
   bool automatic = true;
 };
@@ -200,12 +200,12 @@ struct EndDemo {};
 
 namespace winslow::gui {
 
-/// Where the camera goes.
+/// Actions that move the camera.
 using CameraAction = std::variant<action::FitView, action::FitSelection, action::FitBodies,
                                   action::FitMarkers, action::LookAt, action::ZoomToScreen,
                                   action::LookFrom, action::BackView, action::ForwardView>;
 
-/// What is drawn, and what that is about.
+/// Actions on what is drawn and on the inspected items.
 using ViewAction =
     std::variant<action::EditView, action::ToggleRuler, action::BoxZoom, action::GoTo,
                  action::InspectNode, action::PinMagnifier, action::AskGoTo, action::PreviewRoles,
@@ -224,7 +224,7 @@ using ShellAction = std::variant<action::ShowWelcome, action::ClearRecent, actio
 using DemoAction =
     std::variant<action::StartDemo, action::StepDemo, action::PlayDemo, action::EndDemo>;
 
-/// Actions on the open mesh; they need no window.
+/// Actions on the open mesh, which need no window.
 using DocumentAction = std::variant<FileAction, SelectionAction, MotionAction, VcvAction, JobAction,
                                     SettingsAction, LayerAction, HistoryAction, MessageAction>;
 
@@ -238,7 +238,7 @@ struct Prompt {
   enum class Kind { error, question, information };
   struct Choice {
     std::string label;
-    ActionQueue actions;  ///< carried out when it is chosen; the prompt goes in any case
+    ActionQueue actions;  ///< carried out for this choice; any choice closes the prompt
     bool primary = false;
   };
   Kind kind = Kind::information;
@@ -247,7 +247,7 @@ struct Prompt {
   std::vector<Choice> choices;
 };
 
-/// What the present mesh's state calls for, shown above it until it is dealt with.
+/// A warning about the state of the present mesh, shown above it until resolved or dismissed.
 struct Banner {
   enum class Kind {
     inverted_result,
@@ -259,10 +259,10 @@ struct Banner {
   };
   Kind kind = Kind::inverted_result;
   std::string text;
-  std::optional<MeshItem> worst = {};  ///< where to look, if it is about a place
+  std::optional<MeshItem> worst = {};  ///< its place, if it concerns one
 };
 
-/// A passing remark: what was just done.
+/// A short-lived message about the last operation.
 struct Notice {
   enum class Kind { information, success, warning };
   Kind kind = Kind::information;

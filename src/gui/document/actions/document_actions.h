@@ -18,20 +18,20 @@ namespace winslow::gui::action {
 struct OpenMesh {
   std::filesystem::path path;
   bool discard_changes = false;  ///< false: ask if the open mesh has unsaved changes
-  int zone = 0;                  ///< of a file of several zones; 0: the first
+  int zone = 0;                  ///< zone of a file with several; 0: the first
 };
 struct SaveMesh {
-  std::filesystem::path path;   ///< empty: where the mesh came from
+  std::filesystem::path path;   ///< empty: the file of the mesh
   bool overwrite = false;       ///< false: ask if the file exists
   bool allow_inverted = false;  ///< false: ask if the mesh has inverted elements
-  /// Go on with what Files::ask_to_save() was called for, once the mesh is saved.
+  /// Once the mesh is saved, continue with the action given to Files::ask_to_save().
   bool proceed = false;
 };
 /// Closes the open mesh.
 struct CloseMesh {
   bool discard_changes = false;  ///< false: ask if it has unsaved changes
 };
-/// Writes a copy: the open mesh stays the one it is, saved or not.
+/// Writes a copy; the path and the saved state of the open mesh do not change.
 struct ExportMesh {
   std::filesystem::path path;
   bool overwrite = false;
@@ -39,7 +39,7 @@ struct ExportMesh {
 /// Writes markers as curves (io/tables/table_files.h).
 struct ExportMarkers {
   std::filesystem::path path;
-  std::vector<Index> markers;  ///< empty: those selected or, without a selection, all
+  std::vector<Index> markers;  ///< empty: the selected ones or, without a selection, all
   bool overwrite = false;
 };
 struct ExportRecipe {
@@ -62,16 +62,16 @@ struct Redo {};
 struct GoToStep {
   std::size_t position = 0;
 };
-/// Another command in the place of one that was carried out; those after it are run again.
+/// Replaces a past command by another one and reruns the commands after it.
 struct EditStep {
   std::size_t position = 0;
   Command command;
 };
-/// Takes a command out; those after it are run again.
+/// Removes a past command and reruns the commands after it.
 struct DeleteStep {
   std::size_t position = 0;
 };
-/// Puts a history back that an edit replaced; the present one is kept in its place.
+/// Restores a history that an edit replaced, and keeps the present one in its place.
 struct BringBack {
   std::size_t kept = 0;  ///< index into EditHistory::kept()
 };
@@ -80,7 +80,7 @@ struct ReplayRecipe {
   std::filesystem::path path;
 };
 
-/// The solver: what it carries out, how, and the layers that it is to insert. Carried out by Jobs,
+/// The solver: its commands, its options, and the layers to insert. Carried out by Jobs,
 /// SolverSettings and MeshLayers.
 
 struct RunSmooth {};
@@ -99,83 +99,82 @@ struct EditSmoothOptions {
 struct EditMotionOptions {
   OptionEdit<MotionOptions> edit;
 };
-/// Has the nodes of two markers move together, as periodic sides, or those of `first` with none (no
-/// second): in every run from here on.
+/// Makes two markers periodic in all further runs: their nodes move together. Without `second`,
+/// `first` becomes a marker without a periodic partner.
 struct PairMarkers {
   std::string first;
   std::optional<std::string> second;
 };
-/// Has a node of the boundary stay, or slide, in every run from here on, whatever was found of it.
-/// Undo takes it back.
+/// Holds a boundary node, or lets it slide, in all further runs, against its detected role. Undo
+/// reverts this.
 struct OverrideNode {
   Index node = 0;
   NodeOverride to = NodeOverride::none;
 };
-/// Takes back what was last told to a node at this mesh, or tells it again.
+/// Undoes or redoes the last node override of this mesh.
 struct StepOverride {
   bool again = false;
 };
-/// The surface in a file, for nodes to slide on in every run from here on instead of the mesh's
-/// own. It is read first; a file that cannot be read changes nothing.
+/// Sets the file of a reference surface on which nodes slide in all further runs, instead of the
+/// mesh's own surface. The file is read first; a file that cannot be read changes nothing.
 struct ChooseReference {
-  std::filesystem::path file;  ///< empty: none, the mesh's own
+  std::filesystem::path file;  ///< empty: the mesh's own surface
 };
-/// How fast the outer iterations of the direct method go by.
+/// Sets the rate at which the outer iterations of the direct method are shown.
 struct SetPace {
-  double iterations_per_second = 0;  ///< 0: as fast as they come
+  double iterations_per_second = 0;  ///< 0: no limit
 };
-/// The solver waits after every iteration until this comes again: someone records them all.
+/// Makes the solver wait after every iteration for the next such action, so that all are recorded.
 struct FollowSolver {
   bool on = true;
 };
-/// Any command, as a recipe has it.
+/// Carries out any command, in the form used in recipes.
 struct RunCommand {
   Command command;
   bool paused = false;  ///< wait before the first iteration
-  /// What it does to a mesh that has no changes is no work of the user's, which would have to be
-  /// saved: a step of a demo.
+  /// A step of a demo: on a mesh without changes, its result does not count as an unsaved change.
   bool shown_only = false;
 };
-/// Carries out a command of the history again, from the mesh it found, to be watched; paused at
-/// first. The history stays what it is.
+/// Reruns a command of the history from its original mesh, for the user to watch; starts paused.
+/// The history does not change.
 struct RerunStep {
-  std::size_t position = 1;  ///< as History::command()
+  std::size_t position = 1;  ///< see History::command()
 };
-/// Layers of the mesh, planned and shown but not inserted; none: no more.
+/// Plans layers and shows them without inserting them; none: ends the preview.
 struct PreviewLayers {
   std::optional<LayerOptions> options;
 };
 
-/// Answers to what the studio says. Carried out by MessageBoard.
+/// Answers to messages of the studio. Carried out by MessageBoard.
 
 struct DismissPrompt {};
 struct DismissBanner {};
-/// A passing remark on what the user has just tried.
+/// Shows a short-lived message about the user's last attempt.
 struct Remark {
   std::string text;
 };
 
-/// Motions and changes of shape, typed or under the mouse. Carried out by Motions.
+/// Motions and deformations, typed or dragged. Carried out by Motions.
 
-/// In the plane or in space, as the open mesh is.
+/// Moves the selected bodies; in the plane or in space, according to the open mesh.
 struct ApplyMotion {
   RigidMotion motion;
 };
 struct ApplyDeformation {
   SineDeformation shape;
 };
-/// Shape editing on or off, and how far a drag fades along the boundary, units of the mesh.
+/// Switches shape editing, and sets the distance along the boundary over which a drag fades, in
+/// units of the mesh.
 struct SetShapeEdit {
   bool active = false;
   double radius = 0;
 };
-/// A motion under the mouse: the mesh follows every DragTo until EndDrag. Motions are total, seen
-/// from BeginDrag.
+/// Begins a drag: the mesh follows every DragTo until EndDrag. Motions are relative to BeginDrag.
 struct BeginDrag {
-  bool shape = false;  ///< the arc or patch of the shape edit instead of the selected bodies
+  bool shape = false;  ///< drags the arc or patch of the shape edit, not the selected bodies
 };
 struct DragTo {
-  RigidMotion motion;  ///< as the open mesh is; it names its pivot
+  RigidMotion motion;  ///< of the dimension of the open mesh; contains its pivot
 };
 struct EndDrag {};
 struct CancelDrag {};
@@ -184,29 +183,29 @@ struct CancelDrag {};
 
 struct SelectMarkers {
   std::vector<Index> markers;
-  bool toggle = false;  ///< true: add or remove; false: select these alone
+  bool toggle = false;  ///< true: add or remove; false: select only these
 };
 struct HoverMarkers {
   std::vector<Index> markers;
 };
 struct SetPivot {
-  std::optional<Vec2> pivot;  ///< none: at the place named
+  std::optional<Vec2> pivot;  ///< none: at `place`
   PivotPlace place = PivotPlace::centre;
 };
-/// The same of a volume mesh; none: at the centre of what is selected.
+/// Sets the pivot in a volume mesh; none: at the centre of the selection.
 struct SetSpacePivot {
   std::optional<Vec3> pivot;
 };
-/// The axis about which a selection of a volume mesh turns.
+/// Sets the axis about which a selection of a volume mesh rotates.
 struct SetSpaceAxis {
   Vec3 axis{0, 0, 1};
 };
-/// Pivot and axis from what was picked in a volume mesh.
+/// Sets pivot and axis from nodes picked in a volume mesh.
 struct TakePivot {
   PivotSource source;
 };
-/// The next click in a volume mesh picks a pivot from a node, an edge, a face, or from two nodes,
-/// of which `first` is taken; none: no more.
+/// Makes the next click in a volume mesh pick a pivot from a node, an edge, a face, or two nodes,
+/// of which `first` is already picked; none: cancels this.
 struct PickPivot {
   std::optional<PivotFrom> from;
   std::optional<Index> first = {};
@@ -214,19 +213,19 @@ struct PickPivot {
 struct SelectArc {
   std::optional<BoundaryArc> arc;
 };
-/// Nodes of a volume mesh that are held to be dragged; none: no more.
+/// Selects nodes of a volume mesh for dragging; none: clears the patch.
 struct SelectPatch {
   std::optional<SurfacePatch> patch;
 };
-/// A deformation of the selected bodies, shown as an outline only; none: no more.
+/// Shows a deformation of the selected bodies as an outline; none: ends the preview.
 struct PreviewDeformation {
   std::optional<SineDeformation> shape;
 };
-/// A rigid motion of the selected bodies, shown as an outline only; none: no more.
+/// Shows a rigid motion of the selected bodies as an outline; none: ends the preview.
 struct PreviewMotion {
   std::optional<RigidMotion> motion;
 };
-/// Selects the node of the inspector; none: no node.
+/// Selects the node to inspect; none: no node.
 struct SelectNode {
   std::optional<Index> node;
 };
@@ -235,13 +234,13 @@ struct HoverNode {
 };
 struct PinNodes {
   std::vector<Index> nodes;
-  bool pinned = true;  ///< false: take the pins away
+  bool pinned = true;  ///< false: unpin them
 };
 
 /// Changes of virtual control volumes. Carried out by VcvEditor.
 
-/// Changes VCVs and smooths. under_mouse: the mesh follows every further EditVcvs, which replaces
-/// the edits before, until EndVcvEdit.
+/// Changes VCVs and smooths. under_mouse: until EndVcvEdit, the mesh follows every further
+/// EditVcvs, which replaces the previous edits.
 struct EditVcvs {
   std::vector<VcvEdit> edits;
   bool under_mouse = false;
@@ -279,12 +278,12 @@ using SelectionAction =
                  action::PreviewMotion, action::SelectNode, action::HoverNode, action::PinNodes>;
 using VcvAction = std::variant<action::EditVcvs, action::EndVcvEdit, action::CancelVcvEdit>;
 
-/// Hands an action to the object that carries it out: to its function void on(const A&). An action
-/// without such a function does not compile, and neither does a handler that takes whatever it is
-/// given: it would swallow actions that nobody handles.
+/// Passes an action to its handler's function void on(const A&). An action without such a function
+/// does not compile. Neither does a handler whose on() accepts any type: unhandled actions would go
+/// unnoticed.
 class Dispatch {
   struct NoAction {};
-  // By its exact type: an action must not reach a function through a conversion.
+  // The type must match exactly: an action must not reach a function through a conversion.
   template <class Handler, class A>
   static constexpr bool takes = requires {
     static_cast<void (Handler::*)(const A&)>(&Handler::on);
@@ -306,8 +305,8 @@ class Dispatch {
     std::visit([&handler](const auto& a) { handler.on(a); }, action);
   }
 
-  /// `Handler` has a function on() for every alternative of the variant `Actions`, and for nothing
-  /// else.
+  /// True if `Handler` has a function on() for every alternative of the variant `Actions`, and none
+  /// that accepts any type.
   template <class Handler, class Actions>
   static constexpr bool complete() {
     return takes_all<Handler>(static_cast<const Actions*>(nullptr));

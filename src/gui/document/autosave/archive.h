@@ -26,8 +26,8 @@ class Checksum {
   std::uint64_t value_ = 0xcbf29ce484222325ull;
 };
 
-/// Writes numbers and text as they are in memory, a checksum at the end. ArchiveReader has the same
-/// members for reading, so that a list of fields serves for both.
+/// Writes numbers and text as in memory, followed by a checksum. ArchiveReader has the same members
+/// for reading, so that one list of fields serves both.
 class ArchiveWriter {
  public:
   explicit ArchiveWriter(std::ostream& out) : out_(out) {}
@@ -36,7 +36,7 @@ class ArchiveWriter {
     static_assert(std::is_trivially_copyable_v<Number>);
     bytes(reinterpret_cast<const char*>(&value), sizeof value);
   }
-  /// One after another.
+  /// Writes the values one after another.
   template <class... Numbers>
   void each(const Numbers&... values) {
     (number(values), ...);
@@ -55,7 +55,7 @@ class ArchiveWriter {
     number<std::uint64_t>(text.size());
     bytes(text.data(), text.size());
   }
-  /// A list; `fields` writes one of its values.
+  /// Writes a list; `fields` writes one of its values.
   template <class Value, class Fields>
   void list(const std::vector<Value>& values, const Fields& fields) {
     number<std::uint64_t>(values.size());
@@ -75,7 +75,8 @@ class ArchiveWriter {
   Checksum sum_;
 };
 
-/// Throws InputError where the bytes end early or a length is beyond their end.
+/// Reads what ArchiveWriter wrote. Throws InputError if the bytes end early or a length exceeds the
+/// remaining bytes.
 class ArchiveReader {
  public:
   ArchiveReader(std::string_view bytes, const std::filesystem::path& path)
@@ -110,7 +111,7 @@ class ArchiveReader {
   [[noreturn]] void fail(const std::string& found) const;
 
  private:
-  /// A count of things of at least `size` bytes that follow.
+  /// Reads the count of the items that follow, each of at least `size` bytes.
   std::size_t length(std::size_t size);
   std::string_view next_bytes(std::size_t count);
 
@@ -118,7 +119,7 @@ class ArchiveReader {
   const std::filesystem::path& path_;
 };
 
-/// Bytes of a file without the checksum at its end. Throws InputError.
+/// Verifies the checksum at the end of a file and returns the bytes before it. Throws InputError.
 std::string checked_content(const std::filesystem::path& path);
 
 }  // namespace winslow::gui

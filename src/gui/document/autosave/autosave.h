@@ -6,35 +6,35 @@
 
 namespace winslow::gui {
 
-/// Keeps the session of a running studio below its profile, so that after a crash the next one can
-/// offer it back. All files are read and written on a thread of their own.
+/// Saves the session of a running studio in its profile, so that after a crash the next studio can
+/// offer to restore it. All files are read and written on a separate thread.
 class Autosave {
  public:
-  /// profile: see WorkbenchOptions; empty: nothing is kept and nothing offered.
+  /// profile: see WorkbenchOptions; empty: nothing is saved or offered.
   explicit Autosave(const std::filesystem::path& profile);
 
-  /// Collects what the thread has done, asks through the session about what earlier studios left,
-  /// and has written what has changed. Call once a frame. True if the session has news.
+  /// Collects results of the thread, asks through the session about sessions left by earlier
+  /// studios, and starts writing changes. Call once per frame. True if the session has news.
   bool update(Session& session);
-  /// Files are being read or written, or are about to be.
+  /// Files are being read or written, or tasks are pending.
   bool busy() const { return worker_.busy() || !tasks_.empty(); }
 
   void restore(const std::filesystem::path& folder);
   void discard(const std::filesystem::path& folder);
-  /// The studio ends as it should: removes what was kept of its session. Waits for the thread.
+  /// For a regular exit: removes the saved session. Waits for the thread.
   void finish();
 
  private:
-  /// What a task leaves to be done on the thread of the interface.
+  /// The part of a task that runs on the thread of the interface.
   using Then = std::function<void(Session&)>;
-  /// The session of a studio that is gone, locked by this one.
+  /// The session of a studio that no longer runs, locked by this studio.
   struct Orphan {
     std::filesystem::path folder;
     std::shared_ptr<FolderLock> lock;
     SessionSummary summary;
     std::string error;
   };
-  /// What of a session makes a difference to what is written.
+  /// The properties of a session that decide whether it must be written again.
   struct Mark {
     std::uint64_t generation = 0;
     std::size_t position = 0;
@@ -51,9 +51,9 @@ class Autosave {
   static std::vector<Orphan> find_orphans(const std::filesystem::path& root);
 
   std::filesystem::path root_;             // empty: off
-  std::shared_ptr<SessionFolder> folder_;  // used by tasks alone
+  std::shared_ptr<SessionFolder> folder_;  // used only by tasks
   std::deque<Orphan> orphans_;             // newest first
-  std::vector<Orphan> taken_over_;         // to go when this studio has them in its own folder
+  std::vector<Orphan> taken_over_;         // removed once this studio has saved them in its own folder
   std::uint64_t restored_generation_ = 0;  // of the mesh that came from restored_mesh_
   std::filesystem::path restored_mesh_;
   Mark written_;

@@ -6,11 +6,11 @@
 
 namespace winslow::gui {
 
-/// A folder that belongs to one running studio. The lock goes with the process, however that ends,
-/// so a folder that can be locked has no owner.
+/// The lock of a folder that belongs to one running studio. The lock ends with the process, even
+/// after a crash, so a folder that can be locked has no owner.
 class FolderLock {
  public:
-  /// None where another studio (or this one) holds the folder, or it cannot be locked.
+  /// None if a studio (this one included) already holds the folder, or if locking fails.
   static std::optional<FolderLock> acquire(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept;
@@ -23,28 +23,28 @@ class FolderLock {
   int descriptor_;
 };
 
-/// A session as it is to be written: shares the meshes with the document.
+/// A session to be written. Shares the meshes with the document.
 struct SessionRecord {
   std::uint64_t generation = 0;    ///< of the open mesh
   std::filesystem::path source;    ///< the file that was opened
   std::filesystem::path path;      ///< where it is saved
-  std::filesystem::path mesh;      ///< what to copy the mesh as opened from
+  std::filesystem::path mesh;      ///< file from which to copy the mesh as opened
   std::optional<FileStamp> stamp;  ///< of that file as it was read
   History history;
   std::vector<EditHistory::Tag> tags;  ///< of each position
-  int zone = 0;                        ///< of a file of several zones: the one that is open
+  int zone = 0;                        ///< the open zone of a file with several
 };
 
-/// Writes one running studio's session into a folder of its own: a copy of the mesh file as it was
-/// opened (or the mesh itself, where that file is another one by now), a file for each step, and a
-/// manifest that names them, written last and whole. Works on a thread other than the interface's,
+/// Writes the session of one running studio into a separate folder. The folder holds a copy of the
+/// mesh file as opened (or the mesh itself if that file has changed since), a file per step, and a
+/// manifest that names them, written last and atomically. For a thread other than the interface's,
 /// one call at a time.
 class SessionFolder {
  public:
-  /// The folder is made by the first write, below this one.
+  /// The first write creates the folder below `root`.
   explicit SessionFolder(std::filesystem::path root) : root_(std::move(root)) {}
 
-  /// Writes what is not there yet and removes what is no longer needed. Throws OutputError.
+  /// Writes missing files and removes files no longer needed. Throws OutputError.
   void write(const SessionRecord& session);
   /// Removes the folder: the session ended well.
   void remove();
@@ -59,7 +59,7 @@ class SessionFolder {
   std::set<std::string> written_;  // names of files
 };
 
-/// What the manifest of a folder says, for the question whether to restore it.
+/// Summary of a folder's manifest, for the question whether to restore the session.
 struct SessionSummary {
   std::string name;  ///< of the mesh file
   std::size_t commands = 0;
@@ -70,10 +70,10 @@ constexpr const char* manifest_name = "session.json";
 
 /// Throws InputError.
 SessionSummary read_summary(const std::filesystem::path& folder);
-/// What the mesh as it was opened is kept in. Throws InputError.
+/// The file that holds the mesh as opened. Throws InputError.
 std::filesystem::path kept_mesh(const std::filesystem::path& folder);
-/// Reads a session with all its meshes. Steps from the first damaged one on are left out, and
-/// `damage` says so. Throws Error where nothing can be restored.
+/// Reads a session with all its meshes. Omits the first damaged step and all later ones, and
+/// reports this in `damage`. Throws Error if nothing can be restored.
 RestoredSession read_session(const std::filesystem::path& folder);
 
 }  // namespace winslow::gui

@@ -10,25 +10,23 @@
 
 namespace winslow::gui {
 
-/// What commands led to, exactly: it reads back to the same bits. Files are for the machine that
-/// wrote them.
-/// before: the state that the command was given; connectivity, VCVs and layers that the command
-/// left as they were are not written again; empty: the state stands for itself. Atomically. Throws
-/// OutputError.
+/// Writes the result of a command bit by bit. The files can be read only on the machine that wrote
+/// them. before: the input state of the command; connectivity, VCVs and layers that the command did
+/// not change are not written again; empty: everything is written. Atomic. Throws OutputError.
 void write_step(const std::filesystem::path& path, const MeshState& state, const MeshState& before,
                 const SmoothResult& smooth);
-/// before: as it was written with. Throws InputError for a file that is missing, cut short,
-/// changed, or does not fit the state before.
+/// before: the same as in write_step(). Throws InputError for a file that is missing, truncated,
+/// changed, or does not match `before`.
 CommandResult read_step(const std::filesystem::path& path, const MeshState& before);
 
-/// What is wrong with parts of a step that were read from a file; empty: nothing. Their numbers
-/// serve as indices later on, where nobody looks at them again.
+/// Errors in parts of a step that was read from a file; empty: none. The numbers serve as indices
+/// later, without further checks.
 
-/// Before connectivity is built, which checks the rest.
+/// Checks before the connectivity is built; building it checks the rest.
 std::string fault_of(const MeshData& data);
 std::string fault_of(const LayerStack& stack, const Topology& topology);
 std::string fault_of(const ElementRoles& roles, const Topology& topology);
-/// Of a reference surface.
+/// For a reference surface.
 std::string fault_of_surface(const std::vector<Vec3>& points, const std::vector<Face>& faces);
 
 }  // namespace winslow::gui

@@ -11,90 +11,92 @@
 
 namespace winslow::gui {
 
-/// The file that a mesh was opened from, as it was read.
+/// The file from which a mesh was opened, at the time of reading.
 struct SourceFile {
   std::filesystem::path path;
-  std::optional<FileStamp> stamp;  ///< empty: no file is known that holds just that
+  std::optional<FileStamp> stamp;  ///< empty: no file is known to have this content
   std::shared_ptr<const io::FormatDetails> details;
   std::vector<std::string> warnings;
 
-  /// Numbers of its zones; empty: the file is one mesh.
+  /// Numbers of its zones; empty: the file contains one mesh.
   std::span<const int> zones() const;
-  /// The one that is open; 0: the file is one mesh.
+  /// The open zone; 0: the file contains one mesh.
   int zone() const;
-  /// "zone 2 of 3"; empty: the file is one mesh.
+  /// "zone 2 of 3"; empty: the file contains one mesh.
   std::string zone_text() const;
 };
 
-/// Where a mesh is saved, and which of its revisions (EditHistory::revision()) need no saving.
+/// The file to which a mesh is saved, and the revisions (EditHistory::revision()) without unsaved
+/// changes.
 class SavedFile {
  public:
   explicit SavedFile(std::filesystem::path path) : path_(std::move(path)) {}
 
-  /// Where the mesh is saved, or else came from.
+  /// The file to which the mesh is saved or, before that, from which it was opened.
   const std::filesystem::path& path() const { return path_; }
-  /// Where to save it from now on; nothing is saved there yet.
+  /// Sets the file to save to; does not mark anything as saved there.
   void set_path(std::filesystem::path path) { path_ = std::move(path); }
-  /// This revision was written to that file, to which it is saved from now on.
+  /// Records that this revision was written to `path`, which becomes the file to save to.
   void mark_saved(const std::filesystem::path& path, std::uint64_t revision);
-  /// This revision is no work of the user's: there is nothing to save.
+  /// Records that this revision is not the user's work: it needs no saving.
   void mark_shown_only(std::uint64_t revision) { shown_only_.insert(revision); }
 
-  /// This revision has changes of the user's that are saved nowhere.
+  /// True if this revision has unsaved changes of the user.
   bool lacks(std::uint64_t revision) const {
     return revision != saved_revision_ && !shown_only_.contains(revision);
   }
-  /// The mesh was written to that file before: it may be replaced without asking.
+  /// True if the mesh was written to `path` before: the file may be replaced without asking.
   bool wrote(const std::filesystem::path& path) const;
 
  private:
   std::filesystem::path path_;
   std::uint64_t saved_revision_ = 0;
-  std::set<std::uint64_t> shown_only_;  // that a demo made
+  std::set<std::uint64_t> shown_only_;  // revisions made by a demo
   std::set<std::filesystem::path> written_;
 };
 
-/// The file that holds all zones of a mesh: where it is saved if those went along, else its source.
+/// The file that holds all zones of a mesh: the saved file if it contains them, otherwise the
+/// source.
 const std::filesystem::path& zone_file(const SourceFile& source, const SavedFile& saved);
 
-/// An open mesh: its files, what was done to it, what is known of it from the start.
+/// An open mesh: its files, its history, and the properties determined when it was opened.
 class Document {
  public:
-  /// What is prepared on the loader's thread.
+  /// The data prepared on the loader's thread.
   struct Loaded {
     std::filesystem::path path;
     io::MeshFile file;
     MeshState state;
     QualityReport quality;
-    std::optional<FileStamp> stamp;  ///< of the file that was read; empty: it changed meanwhile
-    /// Of a mesh in space; null: of a plane one.
+    std::optional<FileStamp> stamp;  ///< of the file; empty: it changed while being read
+    /// Of a mesh in space; null for a plane mesh.
     std::shared_ptr<const VolumeBoundary> boundary;
-    std::shared_ptr<const SurfaceDistance> given;  ///< of a surface mesh as opened; else null
+    std::shared_ptr<const SurfaceDistance> given;  ///< of a surface mesh as opened; otherwise null
   };
-  /// Reads and prepares a mesh, of a file of several zones that one; 0: the first. Throws what
-  /// io::read_mesh throws.
+  /// Reads and prepares a mesh. zone: of a file with several; 0: the first. Throws the exceptions
+  /// of io::read_mesh.
   static Loaded load(const std::filesystem::path& path, int zone = 0);
 
   explicit Document(Loaded loaded);
 
   /// The file that was opened.
   const SourceFile& source() const { return source_; }
-  /// Where the mesh is saved.
+  /// The file to which the mesh is saved.
   const SavedFile& saved() const { return saved_; }
   SavedFile& saved() { return saved_; }
   const std::filesystem::path& path() const { return saved_.path(); }
   std::string name() const { return path().filename().string(); }
-  /// It has changes of the user's that are saved nowhere.
+  /// True if the mesh has unsaved changes of the user.
   bool modified() const { return saved_.lacks(edits_.revision()); }
 
   /// Of the mesh as it was opened.
   const QualityReport& loaded_quality() const { return loaded_quality_; }
-  /// Of a mesh in space, whose faces no command changes; null: it is a plane mesh.
+  /// Boundary of a mesh in space, whose faces no command changes; null for a plane mesh.
   const std::shared_ptr<const VolumeBoundary>& boundary() const { return boundary_; }
-  /// Distances to a surface mesh as it was opened; null: it is another kind of mesh.
+  /// Distances to a surface mesh as opened; null for other kinds of mesh.
   const std::shared_ptr<const SurfaceDistance>& given() const { return given_; }
 
-  /// What was done to the mesh.
+  /// The commands carried out on the mesh.
   const EditHistory& edits() const { return edits_; }
   EditHistory& edits() { return edits_; }
   const History& history() const { return edits_.history(); }
@@ -110,13 +112,13 @@ class Document {
   EditHistory edits_;
 };
 
-/// Finds what there is to know of a mesh beside what its file says, of the state it is opened in.
+/// Computes properties of the mesh as opened that its file does not contain.
 void examine(Document::Loaded& loaded);
 
 /// A session read back after a crash.
 struct RestoredSession {
   Document::Loaded loaded;     ///< the mesh as it was opened
-  std::filesystem::path path;  ///< where it was saved last, or came from
+  std::filesystem::path path;  ///< file last saved to, or else opened from
   struct Step {
     Command command;
     CommandResult result;
@@ -124,7 +126,7 @@ struct RestoredSession {
   };
   std::vector<Step> steps;
   std::size_t position = 0;
-  std::string damage;  ///< what could not be read; empty: nothing
+  std::string damage;  ///< parts that could not be read; empty: none
 };
 
 }  // namespace winslow::gui

@@ -6,22 +6,22 @@
 
 namespace winslow::gui {
 
-/// What was done to a mesh, when each command was, and the histories that a change of a past step
-/// replaced.
+/// The commands carried out on a mesh, the duration of each, and the histories that changes of past
+/// steps replaced.
 class EditHistory {
  public:
   explicit EditHistory(MeshState initial) : history_(std::move(initial)) {}
 
   const History& history() const { return history_; }
 
-  /// What is known of a position besides the mesh.
+  /// Data of a position other than the mesh.
   struct Tag {
     std::uint64_t revision = 0;
-    double seconds = 0;  ///< that the command took which led there, on the clock on the wall
+    double seconds = 0;  ///< wall time of the command that led there
   };
   /// Of each position.
   const std::vector<Tag>& tags() const { return tags_; }
-  /// Identifies the present mesh among all that this history has had.
+  /// Identifies the present mesh among all meshes of this history.
   std::uint64_t revision() const { return tags_[history_.position()].revision; }
 
   void push(Command command, CommandResult result, double seconds);
@@ -31,20 +31,20 @@ class EditHistory {
   /// Drops the steps after the present position.
   void forget_redo();
 
-  /// A history that a change of a past step replaced.
+  /// A history replaced by a change of a past step.
   struct Kept {
     std::string why;  ///< "Before step 2 was changed"
     History history;
     std::vector<Tag> tags;
   };
-  /// The last few, oldest first.
+  /// The latest ones, oldest first.
   const std::vector<Kept>& kept() const { return kept_; }
   static constexpr std::size_t most_kept = 8;
-  /// Keeps the present history beside itself; of more than most_kept the oldest goes.
+  /// Keeps a copy of the present history; beyond most_kept copies the oldest is dropped.
   void keep(std::string why);
-  /// Changes places with a kept one.
+  /// Exchanges the present history with a kept one.
   void bring_back(std::size_t kept);
-  /// Puts the one that was kept last in place of the present history, which goes.
+  /// Replaces the present history by the one kept last; the present one is dropped.
   void take_back();
 
  private:
@@ -54,8 +54,8 @@ class EditHistory {
   std::uint64_t last_revision_ = 0;
 };
 
-/// Commands to be carried out one after the other, each on the mesh that the one before it left:
-/// those after an edited step, or those of a recipe.
+/// Commands to carry out one after the other, each on the result of the previous one: the commands
+/// after an edited step, or those of a recipe.
 class CommandQueue {
  public:
   struct Plan {
@@ -63,9 +63,9 @@ class CommandQueue {
     std::vector<Command> commands;
     /// Position in the history before the first command.
     std::size_t start = 0;
-    /// A past step was changed: if it is cancelled, all is to be as before.
+    /// The queue reruns a changed past step: cancelling restores the previous history.
     bool revision = false;
-    /// Position of the history to end at; none: that of the last command.
+    /// Position of the history afterwards; none: that of the last command.
     std::optional<std::size_t> end;
   };
 
@@ -75,7 +75,7 @@ class CommandQueue {
     plan_ = std::move(plan);
     done_ = 0;
   }
-  /// Empties the queue and returns what it was.
+  /// Empties the queue and returns its plan.
   Plan stop() { return *std::exchange(plan_, std::nullopt); }
 
   /// Commands carried out so far.
@@ -91,12 +91,12 @@ class CommandQueue {
   std::size_t done_ = 0;
 };
 
-/// "Replaying wing.json: 3 commands carried out", once all are.
+/// "Replaying wing.json: 3 commands carried out", for a completed plan.
 std::string finished_text(const CommandQueue::Plan& plan);
-/// What the user is told who has cancelled the command under way.
+/// Message for the user who has cancelled the running command.
 std::string cancelled_text(const CommandQueue& queue, const Command& under_way);
-/// Says that the command after `done` others could not be carried out. error: why; empty: that was
-/// said already. kept: histories that are kept, of which a revision's last one can be brought back.
+/// Reports that the command after `done` others could not be carried out. error: the reason; empty:
+/// already reported. kept: number of kept histories; after a revision the last one can be restored.
 Prompt stopped_prompt(const CommandQueue::Plan& plan, std::size_t done, const std::string& error,
                       std::size_t kept);
 

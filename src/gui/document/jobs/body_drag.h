@@ -7,24 +7,23 @@
 
 namespace winslow::gui {
 
-/// What the mouse drags, seen from the frame loop, in a plane mesh or a volume mesh: every position
-/// is answered within the frame by a valid mesh, and solved for behind the frame loop's back.
-/// Nothing here waits for the solver.
+/// A drag in a plane or volume mesh, for the frame loop. Each position yields a valid mesh within
+/// the frame and is solved for in the background. No function waits for the solver.
 class BodyDrag {
  public:
   /// How far the mesh has followed.
   enum class Reach {
-    there,        ///< the mesh on screen has the body where the mouse wants it
-    catching_up,  ///< not yet: the solver is on its way
-    limit         ///< as far as a valid mesh was found
+    there,        ///< in the mesh on screen the body is at the mouse position
+    catching_up,  ///< the solver is still approaching that position
+    limit         ///< at the last position with a valid mesh
   };
 
-  /// files: what the options ask for. A reference surface is read while the mesh stays as it is.
-  /// Throws what DragSession throws; nothing has begun then.
+  /// files: resolves the files named by the options. While a reference surface is read, the mesh
+  /// does not move. Throws the exceptions of DragSession; then no drag has begun.
   void begin(const MeshState& state, DragGrip grip, const SmoothOptions& options,
              std::optional<DragSession::Start> start = {}, const ResolveFiles& files = no_files);
   void to(const RigidMotion& motion);
-  /// Takes what the solver has found since the last call. True if the mesh on screen changed.
+  /// Collects the solver's results since the last call. True if the mesh on screen changed.
   bool poll();
   void end();
 
@@ -35,46 +34,47 @@ class BodyDrag {
   const DragGrip& grip() const { return grip_; }
   const RigidMotion& wanted() const { return wanted_; }
   Reach reach() const;
-  /// Why the mesh follows no further, wherever the mouse goes; empty as long as it does.
+  /// Why the mesh can no longer follow to any mouse position; empty while it can.
   std::string error() const { return session_ ? session_->error() : unread_; }
-  /// The frame is the solution for the position asked for.
+  /// True if the frame is the solution for the requested position.
   bool settled() const { return session_ && session_->settled(); }
 
  private:
-  std::unique_ptr<DragSession> session_;  // null: its files are being read, or cannot be
+  std::unique_ptr<DragSession> session_;  // null: its files are being read or are unreadable
   std::future<std::unique_ptr<DragSession>> reading_;
-  std::string unread_;                // why its files cannot be read; empty: they can
-  DragFrame still_;                   // without a session
+  std::string unread_;                // why its files cannot be read; empty: no error
+  DragFrame still_;                   // shown without a session
   const DragFrame* frame_ = nullptr;  // the session's, or still_
   DragGrip grip_;
   RigidMotion wanted_;
   int revision_ = 0;
-  std::vector<std::future<void>> ending_;  // a session ends with its present iteration
+  std::vector<std::future<void>> ending_;  // sessions that finish their present iteration
 };
 
-/// What is said of a drag while it goes on.
+/// Texts on a drag in progress.
 
-/// What is in a body's way: "Blocked by "main"".
+/// The obstacle of a body: "Blocked by "main"".
 std::string blocked_text(const EdgePair& contact);
-/// The same of a drag, where the mesh can follow no further.
+/// The obstacle of a drag whose mesh can follow no further.
 std::string blocked_text(const BodyDrag& drag);
-/// "Updating mesh... 35 %": how far the mesh on screen has come of what the mouse asks for.
+/// "Updating mesh... 35 %": the share of the requested motion that the mesh on screen has reached.
 std::string updating_text(const BodyDrag& drag);
 
-/// Why a body did not get where it was to go, in whole sentences for the banner over the mesh.
+/// Why a body did not reach its target, in sentences for the banner above the mesh.
 
-/// "Blocked by "main" after 41.2 % of the drag: the body is where it got to." drag: at its limit.
+/// "Blocked by "main" after 41.2 % of the drag: the body is where it got to." drag: has reached its
+/// limit.
 std::string end_of_drag(const BodyDrag& drag);
 
-/// How a motion is to be judged that is not all that was asked for.
+/// The result of a motion that ended early.
 struct MotionEnd {
   const SmoothResult& smooth;
   double reached;             ///< share of the motion, 0 to 1
-  const QualityFloor& floor;  ///< the limits that it had
-  const Mesh& mesh;           ///< where it ended
+  const QualityFloor& floor;  ///< quality limits of the motion
+  const Mesh& mesh;           ///< mesh at its end
 };
-/// "Blocked by "main" after 41.2 % of the motion: the body is where it got to." Of limits of the
-/// quality also what the mesh comes to by them.
+/// "Blocked by "main" after 41.2 % of the motion: the body is where it got to." For quality limits,
+/// also the values that the mesh reaches.
 std::string end_of_motion(const MotionEnd& end);
 
 }  // namespace winslow::gui

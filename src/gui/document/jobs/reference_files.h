@@ -6,13 +6,13 @@
 
 namespace winslow::gui {
 
-/// What options ask of files, for the mesh that was open when it was made: io::resolve_files(). May
-/// take long; for any thread.
+/// Resolves the files named by slide options, for the mesh open at its creation:
+/// io::resolve_files(). May take long; callable from any thread.
 using ResolveFiles = std::function<SlideFiles(const SlideOptions&)>;
 inline SlideFiles no_files(const SlideOptions&) { return {}; }
 
-/// Reference surfaces in files, for all threads that need them. The one read last is kept, since
-/// drags, jobs and panels name it many times over, and read again once its file has changed.
+/// Reads reference surfaces from files; thread-safe. Caches the last surface, since drags, jobs and
+/// panels request it repeatedly, and reads it again when its file has changed.
 class ReferenceFiles {
  public:
   /// May take long. Throws InputError as io::read_mesh() does, with file and line.
@@ -21,38 +21,38 @@ class ReferenceFiles {
  private:
   struct Known {
     std::filesystem::path file;
-    std::optional<FileStamp> stamp;  // none: of a mesh in several files, which is not kept
+    std::optional<FileStamp> stamp;  // none: a mesh in several files, which is not cached
     std::shared_ptr<const ReferenceSurface> surface;
   };
 
-  std::mutex mutex_;  // held while a file is read: who wants the same one waits for it
+  std::mutex mutex_;  // held while a file is read: other threads wait for the result
   Known known_;
 };
 
-/// A reference surface that the user has chosen: it is read behind the frame loop's back, and used
-/// only once that has gone well.
+/// A reference surface that the user has chosen. It is read in the background and used only after
+/// it was read without error.
 class ReferenceChoice {
  public:
   struct Outcome {
     std::filesystem::path file;
-    std::string error;  ///< why it is none; empty: it is one
+    std::string error;  ///< why the file is unusable; empty: no error
     Index nodes = 0;    ///< of the surface
     Index faces = 0;
-    double coarser = 0;  ///< mean length of its edges over that of the mesh's that slide on it
+    double coarser = 0;  ///< mean edge length over that of the mesh's sliding edges
   };
 
-  /// Begins to read a file, in place of what is being read. markers: of the volume mesh, that
-  /// slide; a surface mesh slides as a whole. A relative path is one from the working folder.
+  /// Begins to read a file, replacing a read in progress. markers: the sliding ones of the volume
+  /// mesh; a surface mesh slides as a whole. A relative path starts at the working folder.
   void choose(std::filesystem::path file, std::shared_ptr<const Mesh> mesh,
               std::vector<std::string> markers, std::shared_ptr<ReferenceFiles> files);
-  /// What is being read is not wanted any longer.
+  /// Discards the read in progress.
   void drop() { wanted_.reset(); }
   /// The file that is being read; empty: none.
   std::filesystem::path pending() const {
     return wanted_ ? wanted_->file : std::filesystem::path();
   }
   bool busy() const { return reader_.busy(); }
-  /// What came of the file that was chosen last, once.
+  /// The outcome of the file chosen last, once.
   std::optional<Outcome> poll();
 
  private:
@@ -75,9 +75,9 @@ class ReferenceChoice {
   Background<Read> reader_;
 };
 
-/// Its shape between its nodes counts where the mesh is finer.
+/// True if the surface is coarser than the mesh: its shape between its nodes then matters.
 bool is_coarse(const ReferenceChoice::Outcome& read);
-/// "Nodes slide on hull.stl: 1,200 nodes, 2,396 faces", and what is to be minded.
+/// "Nodes slide on hull.stl: 1,200 nodes, 2,396 faces", and a caution if necessary.
 std::string describe(const ReferenceChoice::Outcome& read);
 
 }  // namespace winslow::gui

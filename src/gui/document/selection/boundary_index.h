@@ -6,31 +6,31 @@
 
 namespace winslow::gui {
 
-/// Finds the boundary under the mouse: a tree of boxes over all marker edges, and the bodies that
-/// the boundary loops form.
+/// Finds the boundary under the mouse. Holds a box tree over all marker edges, and the bodies
+/// formed by the boundary loops.
 class BoundaryIndex {
  public:
   /// A closed loop of the boundary.
   struct Body {
-    std::vector<Index> nodes;    ///< as Topology::boundary_loops()
+    std::vector<Index> nodes;    ///< see Topology::boundary_loops()
     std::vector<Index> markers;  ///< on this loop, ascending
-    bool hole = false;           ///< a body in the flow, rather than the rim around everything
+    bool hole = false;           ///< a body in the flow, not the outer boundary
   };
   struct Hit {
     Index marker = -1;           ///< nearest
     std::vector<Index> markers;  ///< of the whole body
-    bool hole = false;           ///< the body can be taken and moved without a second thought
-    bool inside = false;         ///< hit within the body, not on its rim
+    bool hole = false;           ///< a body in the flow, which can be moved freely
+    bool inside = false;         ///< hit inside the body, not on its boundary
   };
 
   explicit BoundaryIndex(std::shared_ptr<const Topology> topology);
 
   const std::shared_ptr<const Topology>& topology() const { return topology_; }
 
-  /// Takes new positions. The first call decides which loops are holes.
+  /// Sets new positions. The first call determines which loops are holes.
   void update(const Coordinates& coordinates);
 
-  /// The boundary within `radius` of a point, or the body that the point lies inside.
+  /// The boundary within `radius` of a point, or the body that contains the point.
   std::optional<Hit> pick(const Vec2& point, double radius) const;
 
   /// A boundary node under the mouse.
@@ -43,7 +43,7 @@ class BoundaryIndex {
   std::optional<NodeHit> pick_node(const Vec2& point, double radius) const;
 
   const std::vector<Body>& bodies() const { return bodies_; }
-  /// The body that a marker belongs to; null for one inside the mesh.
+  /// The body of a marker; null for a marker inside the mesh.
   const Body* body_of(Index marker) const;
   /// Where a node is now.
   Vec2 position(Index node) const { return coordinates_.xy(node); }
@@ -70,7 +70,7 @@ class BoundaryIndex {
   Coordinates coordinates_;
 };
 
-/// Names of markers that are given by their numbers.
+/// Names of markers given by number.
 std::vector<std::string> marker_names(const Topology& topology, const std::vector<Index>& markers);
 
 /// A run of nodes along a closed boundary loop, forward from `first` to `last`.
@@ -82,11 +82,11 @@ struct BoundaryArc {
   bool operator==(const BoundaryArc&) const = default;
 };
 
-/// The arc grown to take in another position of a loop of n nodes, the shorter way round.
+/// The arc extended to another position of a loop of n nodes, in the shorter direction.
 BoundaryArc extended(const BoundaryArc& arc, std::size_t position, std::size_t n);
 
-/// Nodes of the boundary of a volume mesh that are held together, and the markers over which a drag
-/// of them fades.
+/// Boundary nodes of a volume mesh that are dragged together, and the markers over which the drag
+/// fades.
 struct SurfacePatch {
   std::vector<Index> nodes;    ///< ascending
   std::vector<Index> markers;  ///< ascending
@@ -98,17 +98,17 @@ struct SurfacePatch {
 /// Shape editing: pieces of boundary are dragged instead of whole bodies.
 struct ShapeEdit {
   bool active = false;
-  double radius = 0;  ///< beyond what is held, along the boundary, over which a drag fades
+  double radius = 0;  ///< over which a drag fades, along the boundary
   std::optional<BoundaryArc> arc;     ///< of a plane mesh
   std::optional<SurfacePatch> patch;  ///< of a volume mesh
 
   bool holds() const { return arc.has_value() || patch.has_value(); }
 };
 
-/// What a drag of the arc holds.
+/// The grip for a drag of the arc.
 DragGrip grip_of(const BoundaryArc& arc, double radius, const BoundaryIndex& boundary,
                  const Topology& topology, const Coordinates& rest);
-/// What a drag of the patch holds.
+/// The grip for a drag of the patch.
 DragGrip grip_of(const SurfacePatch& patch, double radius, const Mesh& rest);
 
 }  // namespace winslow::gui

@@ -6,34 +6,34 @@
 
 namespace winslow::gui {
 
-/// What a node of the boundary was told to do instead of what was found of it.
+/// The user's override of a boundary node's detected role.
 enum class NodeOverride : std::uint8_t {
-  none,  ///< as found
-  hold,  ///< stays, though it would slide
-  slide  ///< slides, though it is a corner
+  none,  ///< detected role
+  hold,  ///< fixed although detected as sliding
+  slide  ///< slides although detected as a corner
 };
 
 NodeOverride override_of(const SlideOptions& slide, Index node);
 
-/// Lets go of smooth nodes that no sliding marker has any more (of a surface mesh all nodes slide)
-/// and of held ones of markers that a motion takes.
+/// Removes `slide` overrides of nodes on no sliding marker (in a surface mesh all nodes slide), and
+/// `hold` overrides of nodes on moving markers.
 void drop_stale_overrides(SlideOptions& slide, const Topology& topology,
                           const std::vector<std::string>& moving = {});
 
-/// The overrides of single nodes as they were made, to be undone and redone among the commands of
-/// the history: each belongs to the mesh on which it was made, by its revision.
+/// The sequence of overrides of single nodes, for undo and redo between the commands of the
+/// history. Each belongs to the revision of the mesh on which it was made.
 class NodeOverrides {
  public:
   void set(SlideOptions& slide, Index node, NodeOverride to, std::uint64_t revision);
 
-  /// What would be undone or redone at this mesh: "Hold node 5"; empty: nothing.
+  /// The override to undo or redo at this mesh: "Hold node 5"; empty: none.
   std::string undoable(std::uint64_t revision) const;
   std::string redoable(std::uint64_t revision) const;
-  /// Only where undoable(), redoable() say something, which they return.
+  /// Return the text of undoable() or redoable(), which must not be empty.
   std::string undo(SlideOptions& slide);
   std::string redo(SlideOptions& slide);
 
-  /// A command was carried out: there is nothing to be done again.
+  /// Clears the redo list, after a command was carried out.
   void forget_undone() { undone_.clear(); }
   void clear() {
     done_.clear();
@@ -53,7 +53,7 @@ class NodeOverrides {
   std::vector<Change> done_, undone_;
 };
 
-/// Nodes that the user looks at: one in the inspector, one under the mouse, any number pinned.
+/// Nodes of interest to the user: one inspected, one under the mouse, any number pinned.
 class NodeSelection {
  public:
   const std::optional<Index>& inspected() const { return inspected_; }
@@ -66,7 +66,7 @@ class NodeSelection {
   void hover(std::optional<Index> node) { hovered_ = node; }
   void pin(const std::vector<Index>& nodes);
   void unpin(const std::vector<Index>& nodes);
-  /// Lets go of all other nodes.
+  /// Drops all nodes for which `keep` is false.
   void keep_if(const std::function<bool(Index)>& keep);
 
  private:

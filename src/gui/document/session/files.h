@@ -10,15 +10,15 @@
 
 namespace winslow::gui {
 
-/// Opens, closes, saves and exports the mesh, and asks before anything is lost. Large files are
-/// read and written on threads.
+/// Opens, closes, saves and exports the mesh, and asks before changes are lost. Reads and writes
+/// mesh files on background threads.
 class Files {
  public:
   Files(LiveMesh& mesh, MessageBoard& messages, Selection& selection, SolverSettings& settings,
         Jobs& jobs)
       : mesh_(mesh), messages_(messages), selection_(selection), settings_(settings), jobs_(jobs) {}
 
-  /// Collects what the threads have done since the last call. True if anything changed.
+  /// Collects the threads' results since the last call. True if anything changed.
   bool poll();
   bool busy() const { return loader_.busy() || saver_.busy() || csv_writer_.busy(); }
 
@@ -26,14 +26,14 @@ class Files {
   const std::filesystem::path& loading_path() const { return loading_path_; }
   bool saving() const { return saver_.busy(); }
   bool quit_accepted() const { return quit_; }
-  /// The open mesh has changes that would be lost with it.
+  /// The open mesh has unsaved changes.
   bool unsaved() const;
-  /// Asks whether to save the open mesh. discard: what to do if not. After a save, `next` is for
-  /// take_next().
+  /// Asks whether to save the open mesh. discard: the action if the user declines. After a save,
+  /// take_next() returns `next`.
   void ask_to_save(Action next, Action discard);
-  /// What waited for the mesh to be saved, which it is now.
+  /// The action that waited for the mesh to be saved; none until the save is done.
   std::optional<Action> take_next();
-  /// Puts a session that outlived a crash in place of what is open.
+  /// Replaces the open mesh by a session recovered after a crash.
   void restore(RestoredSession restored);
 
   void on(const action::OpenMesh& a);
@@ -61,8 +61,8 @@ class Files {
     std::uint64_t generation = 0, revision = 0;
     std::vector<std::string> warnings;
     std::string error;
-    bool copy = false;     // the document is where it was
-    bool proceed = false;  // as action::SaveMesh
+    bool copy = false;     // the document keeps its path
+    bool proceed = false;  // see action::SaveMesh
   };
   struct CsvOutcome {
     std::filesystem::path path;
@@ -77,10 +77,10 @@ class Files {
   Jobs& jobs_;
   bool quit_ = false;
   std::optional<Action> asked_;              // what to do once the mesh is saved
-  bool saved_ = false;                       // it is
-  std::optional<action::SaveMesh> waiting_;  // for the solver
+  bool saved_ = false;                       // the mesh is saved
+  std::optional<action::SaveMesh> waiting_;  // save that waits for the solver
   std::filesystem::path loading_path_;
-  std::filesystem::path next_path_;  // asked for while another mesh was being read
+  std::filesystem::path next_path_;  // requested while another mesh was being read
   int next_zone_ = 0;                // of that file
   Background<LoadOutcome> loader_;
   Background<SaveOutcome> saver_;

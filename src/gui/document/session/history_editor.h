@@ -9,14 +9,14 @@
 
 namespace winslow::gui {
 
-/// Goes to and fro in the history of the open mesh, changes past steps and replays recipes.
+/// Moves through the history of the open mesh, changes past steps and replays recipes.
 class HistoryEditor {
  public:
   HistoryEditor(LiveMesh& mesh, MessageBoard& messages, SolverSettings& settings, Jobs& jobs,
                 Motions& motions)
       : mesh_(mesh), messages_(messages), settings_(settings), jobs_(jobs), motions_(motions) {}
 
-  /// Collects a recipe that was read. True if anything changed.
+  /// Collects a recipe read in the background. True if anything changed.
   bool poll();
   bool busy() const { return recipe_reader_.busy(); }
 

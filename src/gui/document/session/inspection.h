@@ -11,21 +11,20 @@
 
 namespace winslow::gui {
 
-/// What the nodes of the mesh of the history will do in the next run: of markers that slide and of
-/// periodic pairs as the solver is set to, of those that are selected. Looked for in the
-/// background.
+/// Determines in the background the roles of the nodes of the history's mesh in the next run, from
+/// the solver's settings (sliding markers, periodic pairs) and the selected markers.
 class BoundaryRoles {
  public:
   BoundaryRoles(const LiveMesh& mesh, const SolverSettings& settings, const Selection& selection)
       : mesh_(mesh), settings_(settings), selection_(selection) {}
 
-  /// The latest that is known of this mesh; null: nothing yet. Asked for in every frame in which it
-  /// is shown: what was asked last is looked for.
+  /// The latest known roles for this mesh; null: none yet. Call it in every frame that shows them:
+  /// the last call determines what is computed.
   std::shared_ptr<const NodeRoles> find() const;
-  /// It is what the settings say now.
+  /// The result matches the present settings.
   bool up_to_date() const { return answer_.roles && answer_.question == asked_; }
 
-  /// True if something new is known.
+  /// True if there is a new result.
   bool poll();
   bool busy() const { return worker_.busy(); }
 
@@ -50,21 +49,20 @@ class BoundaryRoles {
   mutable Background<Answer> worker_;
 };
 
-/// What an inspection of nodes of a volume mesh shows: their VCVs as a run from the mesh of the
-/// history would have them (of the kind that the solver is set to, or as edited), over the mesh on
-/// screen. Each is worked out when it is first asked for: a whole mesh has more VCVs than one looks
-/// at.
+/// Data for the inspection of nodes of a volume mesh: the VCVs that a run from the history's mesh
+/// would use (of the kind set in the solver, or as edited), with the mesh on screen. Each is
+/// computed on first request, since few nodes of a mesh are inspected.
 class SphereInspector {
  public:
   SphereInspector(const LiveMesh& mesh, const SolverSettings& settings)
       : mesh_(mesh), settings_(settings) {}
 
-  /// Valid until the next call of a later frame. Throws UsageError for a node that has no VCV,
-  /// MeshError for a star that has none.
+  /// Valid until the next call in a later frame. Throws UsageError for a node without a VCV,
+  /// MeshError for a star that admits none.
   const VolumeNodalView& view_of(Index node) const;
 
  private:
-  /// What VCVs depend on.
+  /// The inputs of the VCVs.
   struct Source {
     std::uint64_t generation = 0;
     std::uint64_t shape = 0;  // of the mesh of the history
@@ -85,8 +83,8 @@ class SphereInspector {
   mutable std::map<Index, VolumeNodalView> views_;
 };
 
-/// The nodes of a volume mesh that can take the VCV of one of them (matching_stars()), looked for
-/// in the background, in the mesh of the history: a whole mesh has many.
+/// Finds the nodes of a volume mesh that can use the VCV of a given node (matching_stars()).
+/// Searches the history's mesh in the background, since a mesh has many stars.
 class StarMatches {
  public:
   explicit StarMatches(const LiveMesh& mesh) : mesh_(mesh) {}
@@ -97,19 +95,19 @@ class StarMatches {
   struct Wish {
     Index node = -1;
     std::optional<std::vector<Index>> among = std::nullopt;  ///< none: all inner nodes
-    std::optional<double> radius = std::nullopt;             ///< as far as this from the node
+    std::optional<double> radius = std::nullopt;             ///< largest distance from the node
     bool operator==(const Wish&) const = default;
   };
   using Found = std::vector<MatchedStar>;
-  /// Null: they are being looked for. Valid until the next call.
+  /// Null while the search runs. Valid until the next call.
   const Found* find(const Wish& wish) const;
 
-  /// True if some were found.
+  /// True if a search has ended.
   bool poll();
   bool busy() const { return worker_.busy(); }
 
  private:
-  /// A wish, and the mesh that it is of.
+  /// A wish and its mesh.
   struct Question {
     Wish wish;
     std::uint64_t generation = 0, shape = 0;
@@ -130,12 +128,12 @@ class StarMatches {
   mutable Background<Answer> worker_;
 };
 
-/// What is found out about nodes that one looks at, as it is asked for.
+/// Data on inspected nodes, computed on request.
 struct Inspection {
   Inspection(const LiveMesh& mesh, const SolverSettings& settings, const Selection& selection)
       : spheres(mesh, settings), star_matches(mesh), roles(mesh, settings, selection) {}
 
-  /// Collects what the threads have done since the last call. True if anything changed.
+  /// Collects the threads' results since the last call. True if anything changed.
   bool poll() {
     const bool matched = star_matches.poll();
     return roles.poll() || matched;
@@ -143,8 +141,8 @@ struct Inspection {
   bool busy() const { return star_matches.busy() || roles.busy(); }
 
   SphereInspector spheres;   ///< nodes of a volume mesh with their VCVs
-  StarMatches star_matches;  ///< nodes that can take the VCV of another
-  BoundaryRoles roles;       ///< what nodes do in the next run
+  StarMatches star_matches;  ///< nodes that can use the VCV of another
+  BoundaryRoles roles;       ///< roles of nodes in the next run
 };
 
 }  // namespace winslow::gui

@@ -10,38 +10,39 @@
 
 namespace winslow::gui {
 
-/// Carries out commands on the open mesh, one at a time, and puts what they come to into its
-/// history. Nothing here waits for the solver.
+/// Carries out commands on the open mesh, one at a time, and appends the results to its history. No
+/// function waits for the solver.
 class Jobs {
  public:
   Jobs(OngoingWork& work, LiveMesh& mesh, MessageBoard& messages, Selection& selection,
        SolverSettings& settings)
       : work_(work), mesh_(mesh), messages_(messages), selection_(selection), settings_(settings) {}
 
-  /// Collects what the threads have done since the last call. True if anything changed.
+  /// Collects the threads' results since the last call. True if anything changed.
   bool poll();
-  /// True while some thread is at work.
+  /// True while a thread is working.
   bool working() const;
 
-  /// Iterations a second of the direct method; 0: as fast as they come.
+  /// Iterations per second of the direct method; 0: no limit.
   double pace() const { return pace_; }
-  /// The command under way is no work of the user's, as action::RunCommand.
+  /// The running command is not the user's work, see action::RunCommand::shown_only.
   bool shown_only() const { return work_.job().active() && shown_only_; }
-  /// Commands that wait for the one under way.
+  /// Commands that wait for the running one.
   const CommandQueue& queue() const { return queue_; }
-  /// A job under way moves just these markers: it can be sent elsewhere.
+  /// True if the running job moves exactly these markers: it can be given a new target.
   bool can_join(const std::vector<std::string>& markers) const;
 
-  /// start: see RunOptions::start. cut_short: why the command is less than what the user was after,
-  /// a sentence for the banner over its result. False if it cannot begin; the user is told why.
+  /// start: see RunOptions::start. cut_short: why the command does less than the user requested, a
+  /// sentence for the banner above its result. Returns false, after telling the user why, if it
+  /// cannot begin.
   bool start(Command command, bool paused, std::optional<Coordinates> start = {},
              std::string cut_short = {});
   /// Carries out a plan, command after command.
   void start(CommandQueue::Plan plan);
-  /// The document has come to another mesh of its history: all that refers to the one on screen
-  /// follows.
+  /// Updates everything that refers to the mesh on screen, after the document has moved to another
+  /// position of its history.
   void show_position();
-  /// Ends what is under way at once; the mesh is as it was before.
+  /// Ends the running command at once and restores the mesh before it.
   void stop();
   void cancel();
 
@@ -74,8 +75,8 @@ class Jobs {
   double pace_ = default_pace;
   CommandQueue queue_;
   std::string cut_short_;             // see start()
-  bool shown_only_ = false;           // of the command under way
-  std::optional<std::size_t> rerun_;  // position of the history that the job leads to again
+  bool shown_only_ = false;           // of the running command
+  std::optional<std::size_t> rerun_;  // position of the history that the job recomputes
 };
 
 }  // namespace winslow::gui

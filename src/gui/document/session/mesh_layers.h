@@ -12,27 +12,27 @@
 
 namespace winslow::gui {
 
-/// More layers than any wall has: all that there are.
+/// More layers than any wall has; stands for all layers.
 inline constexpr int every_layer = 1000;
 
-/// Quadrilaterals stand on one of the walls.
+/// True if quadrilaterals are adjacent to one of the walls.
 bool may_have_layers(const Topology& topology, const std::vector<LayerWall>& walls);
-/// The most layers that a column of the stack on the wall has.
+/// The largest number of layers of a column of the stack on the wall.
 int layer_count(const LayerStack& stack, const Topology& topology, const LayerWall& wall);
 
-/// Layers of a mesh that nobody has inserted or held yet: those that came with its file. Looked for
-/// in the background, once per connectivity.
+/// Finds layers of a mesh that were neither inserted nor held yet, that is, those of its file.
+/// Searches in the background, once per connectivity.
 class FoundLayers {
  public:
-  /// state: the mesh to look at; null: none now. True if something new is known.
+  /// state: the mesh to search; null: none. True if there is a new result.
   bool update(const MeshState* state);
   bool busy() const { return worker_.busy(); }
-  /// All is known of a mesh of this connectivity.
+  /// The search of a mesh of this connectivity is complete.
   bool looked_at(const std::shared_ptr<const Topology>& topology) const {
     return topology_ == topology && !worker_.busy();
   }
-  /// The most layers that a column on each marker has, by the marker's name; markers without any
-  /// are left out.
+  /// The largest number of layers of a column on each marker, by the marker's name; markers without
+  /// layers are omitted.
   const std::map<std::string, int>& at_markers() const { return found_; }
 
  private:
@@ -42,26 +42,26 @@ class FoundLayers {
   };
   static Outcome look(const Mesh& mesh);
 
-  std::shared_ptr<const Topology> topology_;  // of what was looked at last
+  std::shared_ptr<const Topology> topology_;  // of the mesh searched last
   std::map<std::string, int> found_;
   Background<Outcome> worker_;
 };
 
-/// The plan of layers that are asked for but not inserted yet, made behind the frame loop's back.
+/// Plans layers before they are inserted, in the background.
 class LayerPreview {
  public:
-  /// Options to plan for; none: nothing is shown.
+  /// Sets the options to plan for; none: nothing is shown.
   void want(std::optional<LayerOptions> options) { wanted_ = std::move(options); }
   const std::optional<LayerOptions>& wanted() const { return wanted_; }
-  /// In every frame. mesh: to plan on; null: there is none, or it is moving. True if there is news.
+  /// Call it in every frame. mesh: to plan on; null: none, or it is moving. True if there is news.
   bool update(const Mesh* mesh);
   bool busy() const { return worker_.busy(); }
 
-  /// Of the options wanted on the mesh of the last update; null until it is there.
+  /// Plan for the wanted options on the mesh of the last update; null until it is ready.
   const LayerStack* plan() const { return fits() ? done_.plan.get() : nullptr; }
-  /// Where that plan stands.
+  /// Coordinates of the mesh of that plan.
   const Coordinates& coordinates() const { return done_.mesh.coordinates; }
-  /// Why there is no plan; empty: there is one, or it is under way.
+  /// Why there is no plan; empty: there is one, or it is being made.
   std::string error() const { return fits() ? done_.error : std::string(); }
 
  private:
@@ -75,33 +75,33 @@ class LayerPreview {
 
   std::optional<LayerOptions> wanted_;
   bool present_ = false;        // done_ is of the mesh of the last update
-  const void* key_ = nullptr;   // that mesh's numbers
-  const void* made_ = nullptr;  // those of done_
+  const void* key_ = nullptr;   // identity of that mesh
+  const void* made_ = nullptr;  // that of done_
   const void* making_ = nullptr;
   Outcome done_;
   Background<Outcome> worker_;
 };
 
-/// Layers at the walls of the mesh of the history: those that it has, and those that are planned.
+/// Layers at the walls of the history's mesh, existing and planned.
 class MeshLayers {
  public:
   explicit MeshLayers(const LiveMesh& mesh) : mesh_(mesh) {}
 
-  /// Layers that are planned and not inserted.
+  /// Layers planned but not inserted.
   const LayerPreview& preview() const { return preview_; }
   /// Layers that came with the mesh.
   const FoundLayers& found() const { return found_; }
-  /// The layers of all these walls are held.
+  /// True if the layers of all these walls are held.
   bool all_held(const std::vector<LayerWall>& walls) const;
-  /// Sets how many layers of each wall a command works on: those that are known to be there. Of
-  /// a wall without known ones: all that are found, to hold them; to space them anew, what the
-  /// wall's spacing says.
+  /// Limits a command to the layers that each wall is known to have. For a wall without known
+  /// layers: a command that holds them includes all it finds, a command that respaces them uses the
+  /// number in the wall's spacing.
   void limit_to_present(LayersCommand& command) const;
 
   void on(const action::PreviewLayers& a) { preview_.want(a.options); }
-  /// The mesh goes: nothing is planned any more.
+  /// Drops the plan, since the mesh is being closed.
   void forget_mesh() { preview_.want({}); }
-  /// Collects what the threads have done since the last call. True if anything changed.
+  /// Collects the threads' results since the last call. True if anything changed.
   bool poll();
   bool busy() const { return preview_.busy() || found_.busy(); }
 

@@ -9,20 +9,20 @@
 
 namespace winslow::gui {
 
-/// What the studio has to say: questions and errors that wait for an answer, the banner over the
-/// present mesh, a passing remark.
+/// Messages of the studio: questions and errors that wait for an answer, the banner above the
+/// present mesh, and a short-lived notice.
 class MessageBoard {
  public:
   explicit MessageBoard(const LiveMesh& mesh) : mesh_(mesh) {}
 
-  /// The first that waits for an answer; null if none does.
+  /// The first prompt that waits for an answer; null if there is none.
   const Prompt* prompt() const { return prompts_.empty() ? nullptr : &prompts_.front(); }
   void ask(Prompt prompt) { prompts_.push_back(std::move(prompt)); }
   void report_error(std::string title, std::string text);
-  /// Nothing is written among the meshes that come with the program: false, and the user is told.
+  /// Returns false, and tells the user, for a path among the meshes that come with the program.
   bool may_write(const std::filesystem::path& path);
-  /// False where a file is there that must not be replaced yet: the user is asked, whose consent
-  /// does `again`. why: what is to be said of that, after a blank.
+  /// Returns false if a file exists that must not be replaced yet; then asks the user and carries
+  /// out `again` upon consent. why: an explanation to append, starting with a blank.
   bool may_replace(const std::filesystem::path& path, bool overwrite, const std::string& why,
                    Action again);
 
@@ -31,15 +31,15 @@ class MessageBoard {
   void forget_notice() { notice_.reset(); }
 
   const std::optional<Banner>& banner() const { return banner_; }
-  /// The user has put the banner of the present mesh away.
+  /// The user has dismissed the banner of the present mesh.
   bool banner_dismissed() const;
   void set_banner(Banner::Kind kind, std::string text);
-  /// Warnings that need no answer, in the banner; those of the mesh itself stay before them.
+  /// Shows warnings that need no answer in the banner, after those about the mesh itself.
   void remark(const std::string& what, const std::vector<std::string>& warnings);
   void clear_banner() { banner_.reset(); }
-  /// What the mesh at the present position of the history calls for, if anything.
+  /// Sets the banner for the mesh at the present position of the history, if it needs one.
   void set_banner_of_position();
-  /// What the result of the last command calls for; a motion that ended early has said so already.
+  /// Sets the banner for the result of the last command; a motion that ended early has set its own.
   void set_banner_of_result(const SmoothResult& smooth);
 
   void on(const action::DismissPrompt&);
@@ -48,7 +48,7 @@ class MessageBoard {
 
  private:
   Damage damage_of_last_command() const;
-  /// Where the mesh has suffered most, or else its worst element.
+  /// The most damaged place of the mesh, or else its worst element.
   std::optional<MeshItem> worst_place(const Damage& damage) const;
 
   const LiveMesh& mesh_;

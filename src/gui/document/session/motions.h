@@ -8,7 +8,7 @@
 
 namespace winslow::gui {
 
-/// Moves and reshapes what is selected: by numbers, or under the mouse with the mesh following.
+/// Moves and deforms the selected bodies: by numbers, or by a drag that the mesh follows.
 class Motions {
  public:
   Motions(OngoingWork& work, LiveMesh& mesh, MessageBoard& messages, Selection& selection,
@@ -20,7 +20,7 @@ class Motions {
         settings_(settings),
         jobs_(jobs) {}
 
-  /// The mesh is as it was before the drag.
+  /// Cancels the drag and restores the mesh before it.
   void cancel_drag();
 
   void on(const action::ApplyMotion& a);
@@ -33,7 +33,7 @@ class Motions {
 
  private:
   RigidMotion resolved(const RigidMotion& motion) const;
-  /// Of the selected bodies.
+  /// A command for the selected bodies.
   MoveCommand move_command(const RigidMotion& motion) const {
     return settings_.move_command(selection_.names(), motion);
   }
@@ -51,7 +51,7 @@ class Motions {
   std::optional<Coordinates> start_;  // mesh that the drag took over from that job
 };
 
-/// Changes virtual control volumes: at once, or under the mouse with the mesh following.
+/// Changes virtual control volumes: at once, or by a drag that the mesh follows.
 class VcvEditor {
  public:
   VcvEditor(OngoingWork& work, LiveMesh& mesh, MessageBoard& messages,

@@ -13,13 +13,13 @@ namespace winslow::gui {
 /// Longest list of worst elements that is kept.
 inline constexpr int most_worst = 100;
 
-/// Quality of the mesh on screen, measured behind the frame loop's back.
+/// Measures the quality of the mesh on screen in the background.
 class QualityMonitor {
  public:
-  /// Of a surface mesh: how far it is from the mesh as it was opened.
+  /// Deviation of a surface mesh from the mesh as opened.
   struct Deviation {
     SurfaceChange change;
-    std::vector<WorstElement> worst;  ///< those furthest away
+    std::vector<WorstElement> worst;  ///< elements furthest away
   };
   struct Measured {
     std::uint64_t shape = 0;  ///< LiveMesh::shape() that was measured
@@ -27,37 +27,37 @@ class QualityMonitor {
     QualityReport report;
     std::optional<ElementField> field;
     std::vector<double> values;    ///< of field, one per element
-    const void* before = nullptr;  ///< numbers of Wish::before, to know it again
-    /// Of a surface mesh; none while a solver changes it, unless it is coloured by the deviation.
+    const void* before = nullptr;  ///< identity of Wish::before
+    /// For a surface mesh; none while a solver changes it, unless the deviation colours the mesh.
     std::optional<Deviation> deviation;
   };
-  /// A mesh, and what fields may need beside it.
+  /// A mesh, and additional data that fields may need.
   struct Subject {
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const VirtualControlVolumes> vcv;
     std::shared_ptr<const LayerStack> layers;
     std::shared_ptr<const SurfaceShape> surface;  ///< of a surface mesh
   };
-  /// What is to be measured beside the report.
+  /// Quantities to measure in addition to the report.
   struct Wish {
-    std::optional<ElementField> field;  ///< its value of every element
-    /// The same nodes as they were before, that first heights are compared with; null: none.
+    std::optional<ElementField> field;  ///< measured for every element
+    /// Earlier coordinates of the same nodes, for the comparison of first heights; null: none.
     const Coordinates* before = nullptr;
-    /// Distances to a surface mesh as it was opened; null: another kind of mesh.
+    /// Distances to a surface mesh as opened; null for other kinds of mesh.
     std::shared_ptr<const SurfaceDistance> given = nullptr;
 
     const void* before_numbers() const { return before ? before->values().data() : nullptr; }
-    /// Whether that is what was measured.
+    /// True if `measured` contains these quantities.
     bool met_by(const Measured& measured) const {
       return measured.field == field && measured.before == before_numbers();
     }
   };
 
-  /// Whether a request would start a measurement: ask before a mesh is copied for it.
+  /// True if a request would start a measurement. Ask before copying a mesh for it.
   bool wants(std::uint64_t shape, const Wish& wish, bool live) const;
-  /// Asks for the quality of a mesh. live: a solver is changing it, so measure only now and then.
+  /// Requests the quality of a mesh. live: a solver is changing it, so measure only occasionally.
   void request(std::uint64_t shape, const Subject& subject, const Wish& wish, bool live);
-  /// The same, before returning.
+  /// Measures synchronously.
   void measure_now(std::uint64_t shape, const Subject& subject, const Wish& wish);
   /// True if a newer measurement has come in.
   bool poll();
@@ -70,7 +70,7 @@ class QualityMonitor {
  private:
   Background<std::shared_ptr<const Measured>> worker_;
   std::shared_ptr<const Measured> latest_;
-  bool discard_ = false;  // the measurement under way is of a mesh that is gone
+  bool discard_ = false;  // the running measurement is of a closed mesh
   std::chrono::steady_clock::time_point last_start_{};
 };
 
@@ -79,13 +79,13 @@ class QualityWatch {
  public:
   explicit QualityWatch(const LiveMesh& mesh) : mesh_(mesh) {}
 
-  /// Measures the mesh on screen in the background, by this field among others. before: the state
-  /// with which first heights are compared.
+  /// Measures the mesh on screen in the background, including this field. before: the state with
+  /// which first heights are compared.
   void watch(const std::optional<ElementField>& field, BeforeState before = BeforeState::loaded);
-  /// Measures it before returning: for a picture whose colours must be those of its mesh.
+  /// Measures it synchronously, for a picture whose colours must match its mesh.
   void measure_now(const std::optional<ElementField>& field,
                    BeforeState before = BeforeState::loaded);
-  /// The latest measurement is of the mesh on screen, and of all that.
+  /// The latest measurement is of the mesh on screen, with this field and comparison.
   bool up_to_date(const std::optional<ElementField>& field, BeforeState before) const;
   /// The latest measurement; null if there is none of the present topology.
   const std::shared_ptr<const QualityMonitor::Measured>& latest() const {

@@ -9,63 +9,64 @@
 
 namespace winslow::gui {
 
-/// What the selected markers of a mesh of one kind turn about, and what shows their form: one for
-/// meshes of the plane, one for those in space. The markers are the selection's.
+/// Pivot and outline of the selected markers: one class for plane meshes, one for meshes in space.
+/// The markers belong to the Selection.
 class BodySelection {
  public:
   virtual ~BodySelection() = default;
   BodySelection(const BodySelection&) = delete;
   BodySelection& operator=(const BodySelection&) = delete;
 
-  /// Where it is on screen now; z = 0 in the plane.
+  /// The pivot in the mesh on screen; z = 0 in the plane.
   Vec3 pivot() const;
-  /// Of the bounding box of what is selected, in the mesh of the history; none: it has no nodes.
+  /// Centre of the selection's bounding box in the mesh of the history; none: it has no nodes.
   virtual std::optional<Vec3> centre() const = 0;
-  /// Edges that show the form of what is selected, by their nodes.
+  /// Edges that show the shape of the selection, as pairs of nodes.
   virtual std::vector<std::array<Index, 2>> outline() const = 0;
   /// Largest extent of the smallest body of the mesh.
   virtual double smallest_body() const = 0;
 
-  // A plane mesh has nothing of this.
-  /// none: at the centre of what is selected.
+  // These have no effect for a plane mesh.
+  /// none: at the centre of the selection.
   virtual void set_space_pivot(const std::optional<Vec3>& /*pivot*/) {}
   virtual void set_axis(const Vec3& /*axis*/) {}
   virtual void set_source(const PivotSource& /*source*/) {}
   virtual void wait_for(const action::PickPivot& /*pick*/) {}
 
-  /// Other markers are about to be selected.
+  /// Called before other markers are selected.
   virtual void leave() {}
-  /// They are: their pivot is found.
+  /// Called after that: finds their pivot.
   virtual void begin() = 0;
-  /// A command has moved a body, resolved as the mesh makes it. alone: it has moved no other.
+  /// Called after a command has moved a body. motion: resolved for the mesh. alone: only this body
+  /// was moved.
   virtual void moved(const std::vector<std::string>& body, const RigidMotion& motion,
                      bool alone) = 0;
-  /// The document has come to another mesh.
+  /// Called when the document has moved to another mesh.
   virtual void place() = 0;
-  /// The same after a command: what was found by nodes goes where they are.
+  /// The same after a command: quantities defined by nodes move with the nodes.
   virtual void follow_nodes() = 0;
   virtual void clear() = 0;
 
  protected:
   BodySelection(const LiveMesh& mesh, const std::vector<Index>& markers)
       : mesh_(mesh), markers_(markers) {}
-  /// All of these markers are of the body.
+  /// True if all these markers belong to the body.
   bool goes(const std::vector<Index>& markers, const std::vector<std::string>& body) const;
 
   const LiveMesh& mesh_;
-  const std::vector<Index>& markers_;  // that are selected
+  const std::vector<Index>& markers_;  // the selected ones
   SpacePivot pivot_;                   // seen from the state before the job under way
 };
 
-/// That of a plane mesh: a pivot that stays where it is, or at a place of the bodies with a name.
+/// For plane meshes: the pivot is a fixed point or a named point of the bodies.
 class PlaneSelection : public BodySelection {
  public:
   PlaneSelection(const LiveMesh& mesh, const std::vector<Index>& markers)
       : BodySelection(mesh, markers) {}
 
-  /// Where the pivot was put; none: to a place of its own.
+  /// The named point of the pivot; none: a fixed point.
   const std::optional<PivotPlace>& pivot_place() const { return place_; }
-  /// Points of the selection where it stands between motions; none without a selection.
+  /// Named points of the selection between motions; none without a selection.
   const std::optional<BodyAnchors>& anchors() const { return anchors_; }
   void set_pivot(const action::SetPivot& a);
 
@@ -83,19 +84,19 @@ class PlaneSelection : public BodySelection {
   std::optional<BodyAnchors> anchors_;
 };
 
-/// That of a mesh in space: with the axis about which it turns, and what is held of its surface.
+/// For meshes in space: adds the axis of rotation and the held patch of the surface.
 class SpaceSelection : public BodySelection {
  public:
   SpaceSelection(const LiveMesh& mesh, const std::vector<Index>& markers, MessageBoard& messages)
       : BodySelection(mesh, markers), messages_(messages) {}
 
-  /// Of the axis through the pivot, where it is on screen now.
+  /// Direction of the axis through the pivot, in the mesh on screen.
   Vec3 axis() const;
-  /// What both were taken from, as seen from the state before the job under way.
+  /// The source of pivot and axis, in the state before the running job.
   const SpacePivot& source() const { return pivot_; }
-  /// What the next click picks a pivot from.
+  /// The kind of source that the next click picks as a pivot.
   const std::optional<action::PickPivot>& pick() const { return pick_; }
-  /// The patch that is held, in the mesh of the history.
+  /// The held patch in the mesh of the history.
   struct HeldPatch {
     DragGrip grip;
     Vec3 centre{0, 0, 0};
@@ -109,7 +110,7 @@ class SpaceSelection : public BodySelection {
   void set_source(const PivotSource& source) override;
   void wait_for(const action::PickPivot& pick) override;
   std::optional<Vec3> centre() const override;
-  /// All edges that are sharp, and some of the others.
+  /// All sharp edges and some of the others.
   std::vector<std::array<Index, 2>> outline() const override;
   double smallest_body() const override;
   void leave() override;
@@ -121,11 +122,11 @@ class SpaceSelection : public BodySelection {
 
  private:
   MessageBoard& messages_;
-  // Those that were typed or picked, by selection.
+  // Typed or picked pivots, by selection.
   std::map<std::vector<Index>, SpacePivot> kept_;
   std::optional<action::PickPivot> pick_;
-  mutable std::optional<std::vector<std::array<Index, 2>>> outline_;  // as it is asked for
-  /// Likewise, and what it was made for.
+  mutable std::optional<std::vector<std::array<Index, 2>>> outline_;  // made on request
+  /// Cached patch with its inputs.
   struct MadePatch {
     SurfacePatch patch;
     double radius;
@@ -135,8 +136,8 @@ class SpaceSelection : public BodySelection {
   mutable std::optional<MadePatch> held_;
 };
 
-/// What the user has taken: markers with the point about which they turn, an arc of the boundary,
-/// nodes. Follows the mesh on screen.
+/// The user's selection: markers with their pivot, an arc of the boundary, nodes. Is kept up to
+/// date with the mesh on screen.
 class Selection {
  public:
   Selection(const LiveMesh& mesh, MessageBoard& messages) : mesh_(mesh), messages_(messages) {}
@@ -148,11 +149,11 @@ class Selection {
   std::vector<std::string> names() const { return marker_names(*mesh_.topology(), markers_); }
   const std::vector<Index>& hovered() const { return hovered_; }
 
-  /// Point about which the selection turns, where it is on screen now; of a plane mesh.
+  /// Pivot of the selection in the plane mesh on screen.
   Vec2 pivot() const { return plane_.pivot().head<2>(); }
-  /// The same of any mesh; z = 0 in the plane.
+  /// Pivot in any mesh on screen; z = 0 in the plane.
   Vec3 space_pivot() const { return own().pivot(); }
-  /// What it has of its own in a mesh of the kind that is open, in a plane mesh, in one in space.
+  /// The part for the dimension of the open mesh, plane or in space.
   const BodySelection& own() const {
     if (in_space(mesh_)) return space_;
     return plane_;
@@ -164,19 +165,19 @@ class Selection {
   const SpaceSelection& space() const { return space_; }
   std::optional<PivotPlace> pivot_place() const { return plane_.pivot_place(); }
   const std::optional<BodyAnchors>& anchors() const { return plane_.anchors(); }
-  /// A command has moved bodies.
+  /// Called after a command has moved bodies.
   void moved(const MoveCommand& move);
 
   const ShapeEdit& shape_edit() const { return shape_edit_; }
-  /// radius: as action::SetShapeEdit.
+  /// radius: see action::SetShapeEdit.
   void edit_shape(bool active, double radius);
-  /// A deformation of the selection that is not yet carried out.
+  /// A deformation of the selection that has not been carried out.
   struct DeformationPreview {
     SineDeformation shape;
     std::vector<std::pair<Vec3, Vec3>> outline;  ///< edges where it would put them
   };
   const std::optional<DeformationPreview>& deformation_preview() const { return preview_; }
-  /// A rigid motion of the selection that is typed but not yet carried out.
+  /// A typed rigid motion of the selection that has not been carried out.
   struct MotionPreview {
     RigidMotion motion;
     std::vector<std::pair<Vec3, Vec3>> outline;  ///< edges where it would put them
@@ -189,10 +190,10 @@ class Selection {
 
   const NodeSelection& nodes() const { return nodes_; }
 
-  /// The document has come to another mesh of its history.
+  /// Called when the document has moved to another position of its history.
   void refresh();
-  /// The mesh on screen is of another connectivity. Nodes keep their numbers when layers are
-  /// inserted and removed; what refers to anything else is let go of.
+  /// Called when the connectivity of the mesh on screen has changed. Nodes keep their numbers when
+  /// layers are inserted or removed; references to other items are dropped.
   void carry_over(const std::shared_ptr<const Topology>& before,
                   const std::shared_ptr<const Topology>& now);
   void clear();
@@ -200,7 +201,7 @@ class Selection {
   void on(const action::SelectMarkers& a);
   void on(const action::HoverMarkers& a) { hovered_ = a.markers; }
   void on(const action::SetPivot& a) { plane_.set_pivot(a); }
-  // Plane meshes have no use for these.
+  // These have no effect for plane meshes.
   void on(const action::SetSpacePivot& a) { own().set_space_pivot(a.pivot); }
   void on(const action::SetSpaceAxis& a) { own().set_axis(a.axis); }
   void on(const action::TakePivot& a) { own().set_source(a.source); }
@@ -227,9 +228,9 @@ class Selection {
   std::optional<DeformationPreview> preview_;
   std::optional<MotionPreview> motion_preview_;
   NodeSelection nodes_;
-  /// Nodes that were let go of when the mesh on screen came to be of another connectivity.
+  /// Nodes dropped when the connectivity of the mesh on screen changed.
   struct LostNodes {
-    std::weak_ptr<const Topology> topology;  ///< of which they are
+    std::weak_ptr<const Topology> topology;  ///< in which they exist
     std::vector<Index> pinned;
     std::optional<Index> inspected;
   };

@@ -18,9 +18,8 @@
 
 namespace winslow::gui {
 
-/// The state of the studio, without a window: has the parts, hands actions to the one that carries
-/// them out, and collects what threads have done. Changes by actions and by poll() alone. Nothing
-/// here waits.
+/// The state of the studio, without a window. Owns the parts, passes actions to their handlers and
+/// collects the threads' results. Only actions and poll() change it. No function waits.
 class Session {
  public:
   Session();
@@ -28,11 +27,11 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   void apply(const DocumentAction& action);
-  /// Collects what the threads have done since the last call. True if anything changed.
+  /// Collects the threads' results since the last call. True if anything changed.
   bool poll();
-  /// True while some thread works on behalf of this session.
+  /// True while a thread works for this session.
   bool working() const;
-  /// Shows other coordinates of the mesh on screen, for a picture; none: no more.
+  /// Shows other coordinates of the mesh on screen, for a picture; none: the actual ones.
   void show_instead(std::optional<Coordinates> coordinates) {
     mesh_.show_instead(std::move(coordinates));
   }
@@ -50,7 +49,7 @@ class Session {
   const MessageBoard& messages() const { return messages_; }
   MessageBoard& messages() { return messages_; }
 
-  // What is asked for most, of mesh() and selection().
+  // Shortcuts for frequent queries of mesh() and selection().
   const Document* document() const { return mesh_.document(); }
   std::uint64_t generation() const { return mesh_.generation(); }
   std::uint64_t shape() const { return mesh_.shape(); }
@@ -60,7 +59,7 @@ class Session {
   const JobRunner& job() const { return work_.job(); }
   /// A mesh in space is open, a volume mesh or a surface mesh.
   bool in_space() const { return winslow::gui::in_space(mesh_); }
-  /// Of the open mesh; of what could be opened, where there is none, a plane one.
+  /// Kind of the open mesh; plane if none is open.
   MeshKind kind() const { return kind_of(mesh_); }
   bool in_motion() const { return mesh_.in_motion(); }
   bool dragging() const { return work_.held().body; }
@@ -77,7 +76,7 @@ class Session {
   void apply_group(const HistoryAction& action) { Dispatch::to(history_, action); }
   void apply_group(const MessageAction& action) { Dispatch::to(messages_, action); }
 
-  // Each knows those above it that it names.
+  // Each part refers only to parts above it.
   OngoingWork work_;
   LiveMesh mesh_{work_};
   MessageBoard messages_{mesh_};
@@ -93,7 +92,7 @@ class Session {
   Files files_{mesh_, messages_, selection_, settings_, jobs_};
 };
 
-/// What the studio is at, as the status bar says it.
+/// The present activity of the studio, for the status bar.
 struct Activity {
   enum class Kind { idle, busy, blocked };
   Kind kind = Kind::idle;
@@ -101,7 +100,7 @@ struct Activity {
 };
 Activity activity_of(const Session& session);
 
-/// Which meshes something is for.
+/// A set of mesh kinds, for example those that a command supports.
 class MeshKinds {
  public:
   constexpr MeshKinds(std::initializer_list<MeshKind> kinds) {
@@ -118,7 +117,7 @@ inline constexpr MeshKinds all_meshes{MeshKind::plane, MeshKind::surface, MeshKi
 inline constexpr MeshKinds plane_meshes{MeshKind::plane};
 inline constexpr MeshKinds volume_meshes{MeshKind::volume};
 inline constexpr MeshKinds meshes_in_space{MeshKind::surface, MeshKind::volume};
-/// Those whose boundary can be moved: a surface keeps its shape.
+/// Kinds whose boundary can be moved: a surface mesh keeps its shape.
 inline constexpr MeshKinds movable_meshes{MeshKind::plane, MeshKind::volume};
 
 }  // namespace winslow::gui

@@ -8,26 +8,26 @@
 
 namespace winslow::gui {
 
-/// How the solver is to go about the open mesh, as the user has set it. Each command gets a copy.
+/// The user's settings of the solver for the open mesh. Each command gets a copy.
 class SolverSettings {
  public:
   SolverSettings(const LiveMesh& mesh, MessageBoard& messages) : mesh_(mesh), messages_(messages) {}
 
   const SmoothOptions& smooth_options() const { return smooth_; }
   const MotionOptions& motion_options() const { return motion_; }
-  /// What single nodes were told to do, as of the mesh of the history.
+  /// Overrides of single nodes, for the mesh of the history.
   const NodeOverrides& overrides() const { return overrides_; }
   /// The file of a reference surface that is being read; empty: none.
   std::filesystem::path reading_reference() const { return reference_.pending(); }
 
-  /// Periodic sides that the file of the open mesh names; null: it is from no file.
+  /// Periodic sides named in the file of the open mesh; null: it has no file.
   const GivenPeriodicity* file_pairs() const;
-  /// What options ask of files, for the open mesh.
+  /// Resolves the files named by options, for the open mesh.
   ResolveFiles resolver() const;
 
-  /// For a run that moves no markers.
+  /// Options for a run that moves no markers.
   SmoothOptions smooth_in_place() const { return smooth_for_motion({}); }
-  /// For a motion of nodes of these markers, which neither slide nor are periodic then.
+  /// Options for a motion of these markers, which then neither slide nor are periodic.
   SmoothOptions smooth_for_motion(const std::vector<std::string>& markers) const;
   MoveCommand move_command(const std::vector<std::string>& markers, RigidMotion motion) const;
 
@@ -38,12 +38,12 @@ class SolverSettings {
   void on(const action::StepOverride& a);
   void on(const action::ChooseReference& a);
 
-  /// A command begins: overrides that were undone cannot be done again.
+  /// Called when a command begins: undone overrides can no longer be redone.
   void forget_undone() { overrides_.forget_undone(); }
-  /// What is set for one mesh means nothing for another: a region, markers that slide. A surface
-  /// mesh leaves nothing set that it refuses.
+  /// Clears settings that hold for one mesh only: a region, sliding markers. After a surface mesh,
+  /// also those that other meshes refuse.
   void forget_mesh();
-  /// Collects what the threads have done since the last call. True if anything changed.
+  /// Collects the threads' results since the last call. True if anything changed.
   bool poll();
   bool busy() const { return reference_.busy(); }
 
