@@ -13,7 +13,7 @@
 
 namespace winslow::gui {
 
-/// One piece of work at a time on a thread of its own, whose outcome is collected by polling.
+/// Runs one task at a time on a separate thread; its result is collected by polling.
 template <class Result>
 class Background {
  public:
@@ -24,7 +24,7 @@ class Background {
     future_ = std::async(std::launch::async, std::move(work));
   }
 
-  /// The outcome, once, as soon as it is there; never waits. `work` must not throw.
+  /// The result, once, when it is available; never waits. `work` must not throw.
   std::optional<Result> poll() {
     if (!future_.valid() || future_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
       return std::nullopt;
@@ -35,10 +35,10 @@ class Background {
   std::future<Result> future_;
 };
 
-/// What the session's work on files has in common.
+/// Helpers for work on files.
 
-/// `work`, whose failure is text rather than an exception. Running out of memory on a huge file is
-/// an error like another.
+/// Runs `work` and returns the text of its exception; empty: none. Lack of memory for a huge file
+/// is treated like any other error.
 template <class Work>
 std::string error_of(Work&& work) {
   try {

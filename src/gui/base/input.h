@@ -13,13 +13,13 @@
 #include "core/types.h"
 #include "gui/base/screen.h"
 
-/// Input of the studio: what happened since the frame before, however it came about. The window's
-/// callbacks and the tests' scripts fill the same queue.
+/// Input of the studio since the previous frame. The window's callbacks and the tests' scripts fill
+/// the same queue.
 namespace winslow::gui {
 
 enum class MouseButton { left = 0, right = 1, middle = 2 };
 
-/// Keyboard and mouse as one frame sees them.
+/// State of keyboard and mouse in one frame.
 struct InputState {
   ScreenPoint mouse{-1, -1};
   bool mouse_inside = false;
@@ -36,11 +36,10 @@ struct InputState {
   bool super() const;
 };
 
-/// Events in the order in which they came. Several events may fall into one frame, but never two
-/// that a frame could not tell apart: a press and its release, a press and a motion after it, a key
-/// and the release of the Control key that was held with it, a character twice, or one that was
-/// typed after Tab or Enter. What is typed after a command's key with Ctrl or Alt waits some frames
-/// for the field that the command may open.
+/// Events in order of arrival. One frame may contain several events, but no two that it could not
+/// distinguish: a press and its release, a press and a later motion, a key and the release of its
+/// Control key, the same character twice, or a character after Tab or Enter. Text typed after a
+/// command's key with Ctrl or Alt waits some frames for a field that the command may open.
 class InputQueue {
  public:
   void move(const ScreenPoint& position) { events_.push_back(Move{position, true}); }
@@ -54,10 +53,10 @@ class InputQueue {
   void drop(std::vector<std::filesystem::path> files) { events_.push_back(Drop{std::move(files)}); }
 
   bool empty() const { return events_.empty(); }
-  /// Whether a frame takes keys that went down, or leaves them, and what came after them, in the
-  /// queue: what the last key did is yet to be seen.
+  /// Whether a frame takes pressed keys, or holds them and all later events in the queue until the
+  /// effect of the last key was shown.
   enum class Keys { take, hold };
-  /// Takes events off the queue, as many as one frame can hold.
+  /// Takes as many events from the queue as one frame can contain.
   InputState next_frame(Keys keys = Keys::take);
 
  private:
@@ -83,14 +82,14 @@ class InputQueue {
     std::vector<std::filesystem::path> files;
   };
   using Event = std::variant<Move, Button, Wheel, Key, Text, Drop>;
-  struct Frame;  // what the frame being filled holds already
+  struct Frame;  // content so far of the frame being filled
   bool apply(const Event& event, Frame& frame);
-  /// What is typed is kept back in this frame.
+  /// True while typed text is held back.
   bool waits() const { return waiting_ > 0; }
 
   std::deque<Event> events_;
   InputState state_;
-  int waiting_ = 0;  // frames for which it is
+  int waiting_ = 0;  // number of frames for which text is held back
 };
 
 }  // namespace winslow::gui

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-/// Places on screen. They are no places of a mesh: types of their own, which neither become nor
-/// come from a Vec2, so that only a view or a camera leads from one to the other.
+/// Points and vectors on screen. Their types do not convert from or to Vec2, so that only a view or
+/// a camera maps between screen and mesh.
 namespace winslow::gui {
 
 /// A distance on screen, pixels of the framebuffer: x to the right, y down.
@@ -14,7 +14,7 @@ class ScreenVector {
  public:
   constexpr ScreenVector() = default;
   constexpr ScreenVector(double x, double y) : x_(x), y_(y) {}
-  /// Of an ImVec2 and its like.
+  /// From an ImVec2 or a similar type.
   template <class V>
   requires requires(const V& v) { v.x + v.y; }
   constexpr explicit ScreenVector(const V& v)
@@ -24,7 +24,7 @@ class ScreenVector {
   constexpr double y() const { return y_; }
   constexpr double operator[](int axis) const { return axis == 0 ? x_ : y_; }
   constexpr double dot(const ScreenVector& other) const { return x_ * other.x_ + y_ * other.y_; }
-  /// Positive where the other one lies clockwise, as it is seen on screen.
+  /// Positive if the other vector lies clockwise on screen.
   constexpr double cross(const ScreenVector& other) const { return x_ * other.y_ - y_ * other.x_; }
   constexpr double squared_norm() const { return dot(*this); }
   double norm() const { return std::sqrt(squared_norm()); }
@@ -54,7 +54,7 @@ class ScreenPoint {
  public:
   constexpr ScreenPoint() = default;
   constexpr ScreenPoint(double x, double y) : x_(x), y_(y) {}
-  /// Of an ImVec2 and its like.
+  /// From an ImVec2 or a similar type.
   template <class V>
   requires requires(const V& v) { v.x + v.y; }
   constexpr explicit ScreenPoint(const V& v)
@@ -88,7 +88,7 @@ constexpr ScreenPoint midpoint(const ScreenPoint& a, const ScreenPoint& b) {
   return {0.5 * (a.x() + b.x()), 0.5 * (a.y() + b.y())};
 }
 
-/// Of a point from a line between two others, pixels.
+/// Distance of a point from the segment between two others, pixels.
 inline double distance_to_segment(const ScreenPoint& p, const ScreenPoint& a,
                                   const ScreenPoint& b) {
   const ScreenVector along = b - a;
@@ -96,18 +96,18 @@ inline double distance_to_segment(const ScreenPoint& p, const ScreenPoint& a,
   return (p - a - t * along).norm();
 }
 
-// Of places on screen, and of points of the plane.
+// For points on screen and in the plane.
 
-/// A line from a to b crosses the ray from p to the right: of the sides of a polygon around p an
-/// odd number do.
+/// True if the segment from a to b crosses the ray from p to the right. A polygon contains p if an
+/// odd number of its sides do.
 template <class Point>
 bool right_of(const Point& p, const Point& a, const Point& b) {
   if ((a.y() > p.y()) == (b.y() > p.y())) return false;
   return a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()) > p.x();
 }
 
-/// The part of a line from a to b that lies in a box, as shares of its length (Liang and Barsky:
-/// each side narrows it); none: nothing of it does.
+/// The part of the segment from a to b inside a box, as fractions of its length (Liang and Barsky);
+/// none: the segment misses the box.
 template <class Point, class Box>
 std::optional<std::array<double, 2>> part_within(const Point& a, const Point& b, const Box& box) {
   double first = 0, last = 1;
@@ -131,7 +131,7 @@ struct ScreenBox {
 
   constexpr ScreenVector size() const { return max - min; }
   constexpr ScreenPoint centre() const { return midpoint(min, max); }
-  /// On the upper and left sides, too, not on the others.
+  /// Includes the upper and left sides, but not the others.
   constexpr bool contains(const ScreenPoint& p) const {
     return p.x() >= min.x() && p.y() >= min.y() && p.x() < max.x() && p.y() < max.y();
   }

@@ -13,7 +13,7 @@ namespace winslow::gui {
 class Capture;
 class DemoPlayer;
 
-/// All that a panel or a command sees, and where it puts what the user wants.
+/// The input of panels and commands, and the queue for the user's actions.
 struct PanelContext {
   const Session& session;
   const ViewOptions& view;
@@ -23,23 +23,23 @@ struct PanelContext {
   const Capture& capture;
   const RecentFiles& recent;
   const DemoPlayer& demo;
-  const BeforeMesh* before = nullptr;  ///< what the mesh is compared with
-  /// The mesh in the picture, that numbers beside it are to be of; null: none yet.
+  const BeforeMesh* before = nullptr;  ///< state with which the mesh is compared
+  /// The mesh in the picture, to which displayed numbers must refer; null: none yet.
   const ShownMesh* shown = nullptr;
 
   template <class A>
   void emit(A a) const {
     actions.push_back(Action(std::move(a)));
   }
-  /// Emits what `change` does to a copy of the view's options.
+  /// Applies `change` to a copy of the view's options and emits the difference.
   template <class Change>
   void edit_view(Change&& change) const {
     ViewOptions after = view;
     change(after);
     emit(action::EditView{difference(view, after)});
   }
-  // Emit what leads from the options as they are to others; of the view, which panels edit in every
-  // frame, only if there is something.
+  // Emit the difference between the present options and others. For the view, which panels edit in
+  // every frame, only if there is a difference.
   void edit(const ViewOptions& after) const {
     if (const auto changes = difference(view, after); !changes.empty())
       emit(action::EditView{changes});
@@ -50,15 +50,15 @@ struct PanelContext {
   void edit(const MotionOptions& after) const {
     emit(action::EditMotionOptions{difference(session.solver_settings().motion_options(), after)});
   }
-  /// The picture is that of the session's mesh, not of the one before.
+  /// True if the picture shows the session's present mesh, not an earlier one.
   bool picture_follows() const { return shown && shown->shape == session.shape(); }
   const Topology* topology() const { return session.topology().get(); }
 };
 
-/// A panel: draws a part of the studio into the current ImGui window, in every frame that shows it,
-/// and emits actions. No panel knows another.
+/// A panel: draws a part of the studio into the current ImGui window, in every frame in which it is
+/// visible, and emits actions. Panels do not depend on one another.
 using DrawPanel = std::function<void(const PanelContext&)>;
-/// One that keeps something from frame to frame, in a class with draw().
+/// A panel with state, made of a class with draw().
 template <class P>
 DrawPanel panel_of() {
   return [panel = std::make_shared<P>()](const PanelContext& context) { panel->draw(context); };

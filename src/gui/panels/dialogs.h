@@ -3,14 +3,15 @@
 #include "gui/document/actions/actions.h"
 #include "gui/menu/user_command.h"
 
-/// What comes up over the studio when it is asked for. Each is drawn in every frame, from the next
-/// one after open() on it is seen. The dialog of files is gui/panels/files/file_dialog.h.
+/// Dialogs and popups of the studio. draw() is called in every frame; the dialog is visible from
+/// the frame after open(). The file dialog is in gui/panels/files/file_dialog.h.
 namespace winslow::gui {
 
-/// The question or the error that waits for an answer, as a dialog.
+/// Draws the question or error that waits for an answer, as a dialog.
 void draw_prompt(const PanelContext& context);
 
-/// All commands by name: a few letters find one, Enter runs it. What was run last comes first.
+/// A searchable list of all commands: a few letters find one, Enter runs it. Recent commands come
+/// first.
 class CommandPalette {
  public:
   void open() { wanted_ = true; }
@@ -19,7 +20,7 @@ class CommandPalette {
  private:
   struct Row {
     UserCommand command;
-    std::string label, reason;  ///< why it cannot be run; empty: it can
+    std::string label, reason;  ///< why it is unavailable; empty: available
     int score = 0;
   };
   std::vector<Row> rows(const PanelContext& context) const;
@@ -29,13 +30,13 @@ class CommandPalette {
   void run(const PanelContext& context, const Row& row);
 
   bool wanted_ = false;
-  bool scroll_ = false;  // to the row chosen, which keys have moved
+  bool scroll_ = false;  // to the chosen row, moved by keys
   std::string query_;
   std::size_t chosen_ = 0;
-  std::deque<std::string> recent_;  // ids, the last one run first
+  std::deque<std::string> recent_;  // ids, last run first
 };
 
-/// All keys and what the mouse does, over everything else; Esc or any click closes it.
+/// The list of all keys and mouse actions, above everything else; Esc or any click closes it.
 class HelpPanel {
  public:
   void open() { wanted_ = true; }
@@ -45,12 +46,12 @@ class HelpPanel {
   bool wanted_ = false;
 };
 
-/// What the studio is made of: versions, graphics, licence.
+/// Information on the program: versions, graphics, licence.
 class AboutPanel {
  public:
   void open() { wanted_ = true; }
   void draw(const PanelContext& context);
-  /// A line a part: "OpenGL  4.5 ...". Needs a current OpenGL context.
+  /// One line per component: "OpenGL  4.5 ...". Needs a current OpenGL context.
   static std::vector<std::pair<std::string, std::string>> facts();
 
  private:
@@ -58,28 +59,28 @@ class AboutPanel {
   std::vector<std::pair<std::string, std::string>> facts_;
 };
 
-/// The menu of a right click: what can be done with the body, the node and the element there.
+/// The context menu: commands on the body, the node and the element under the mouse.
 class ContextMenu {
  public:
-  /// Comes up beside the mouse.
+  /// Opens beside the mouse.
   void open(const PickedPlace& place);
   void draw(const PanelContext& context);
 
  private:
   PickedPlace place_;
-  std::shared_ptr<const Topology> topology_;  ///< that the numbers of the place belong to
+  std::shared_ptr<const Topology> topology_;  ///< to which the indices of place_ refer
   bool wanted_ = false;
 };
 
-/// The controls of a PictureSpec, for the dialogs that have one.
+/// The controls for a PictureSpec in dialogs.
 class PictureSettings {
  public:
-  /// Starts from a spec. on_screen: the window's size there, pixels.
+  /// Starts from a spec. on_screen: the window's size, pixels.
   void set(const PictureSpec& spec, const ScreenVector& on_screen);
   /// Draws the controls; their ids begin with `id`. film: no transparency. window, mesh: their
   /// sizes on screen, pixels.
   void draw(const std::string& id, bool film, const ScreenVector& window, const ScreenVector& mesh);
-  /// What is wrong with the size; empty if nothing is.
+  /// What is wrong with the size; empty: nothing.
   const std::string& error() const { return error_; }
   const PictureSpec& spec() const { return spec_; }
 
@@ -89,7 +90,7 @@ class PictureSettings {
   std::string error_;
 };
 
-/// What a picture shows and how large it is; its file is chosen next.
+/// Content and size of a picture; its file is chosen next.
 class PictureDialog {
  public:
   void open() { wanted_ = opened_ = true; }
@@ -101,10 +102,10 @@ class PictureDialog {
   PictureSettings settings_;
 };
 
-/// How the mesh is recorded; where to is chosen next.
+/// Options of a recording; its file is chosen next.
 class RecordDialog {
  public:
-  /// step: of the history, that is to be carried out again and recorded.
+  /// step: of the history, to rerun and record.
   void open(std::optional<std::size_t> step);
   /// window, mesh: their sizes on screen, pixels.
   void draw(const PanelContext& context, const ScreenVector& window, const ScreenVector& mesh);
@@ -116,7 +117,7 @@ class RecordDialog {
   RecordingSpec spec_;
 };
 
-/// A dialog in which the numbers and options of a past command are changed.
+/// A dialog that edits the numbers and options of a past command.
 class StepEditor {
  public:
   /// position: of the command in the history.
@@ -127,7 +128,7 @@ class StepEditor {
   /// The file whose surface the nodes of the command slide on; empty: none.
   std::string reference();
   void set_reference(const std::filesystem::path& file);
-  /// Comes up again if it made room for a dialog of files, which is closed by now.
+  /// Reopens if it was hidden for a file dialog, which is now closed.
   void show_again() { wanted_ = wanted_ || std::exchange(aside_, false); }
 
  private:

@@ -17,24 +17,25 @@ struct Area {
   }
 };
 
-/// Where everything is. Sizes that the user drags are in units of the layout (Theme::px).
+/// Positions and sizes of all regions. Sizes that the user drags are in units of the layout
+/// (Theme::px).
 struct Layout {
   float left_width = 292, right_width = 324, plot_height = 224;  ///< as dragged
-  bool plot_empty = false;  ///< it has nothing to show: a strip with its title
+  bool plot_empty = false;  ///< only a strip with the title is shown
   Area menu, toolbar, left, right, plot, viewport, status;
-  Area legend;          ///< strip of the legend beside the viewport; empty: it has none
-  ColumnState columns;  ///< which are open; a folded one is a strip of icons
+  Area legend;          ///< strip of the legend beside the viewport; empty: none
+  ColumnState columns;  ///< open or folded to a strip of icons
 
-  /// What fills the middle of a window.
+  /// The content of the middle of the window.
   enum class Middle { mesh, page };
 
   /// Largest share of the window's width that both columns together take.
   static constexpr float most_columns = 0.45f;
 
-  /// Divides a framebuffer; columns give way where there is little room, and fold.
+  /// Divides a framebuffer; columns shrink or fold if there is little room.
   void arrange(int width, int height, const ViewOptions& view, const Theme& theme,
                float menu_height, Middle middle);
-  /// A picture of the mesh and its legend alone.
+  /// Layout of a picture of only the mesh and its legend.
   void arrange_mesh(int width, int height, const ViewOptions& view, const Theme& theme);
 
  private:

@@ -9,28 +9,28 @@
 
 namespace winslow::gui {
 
-/// The legend: in a strip beside the mesh, or on a card over one of its corners. The mouse drags it
-/// from one to another. Where elements are isolated, the threshold is a line in it that the mouse
-/// drags.
+/// The legend: in a strip beside the mesh, or on a card over a corner of the view. The mouse drags
+/// it from one place to another. While elements are isolated, a line that can be dragged shows the
+/// threshold.
 class LegendCard {
  public:
-  /// Where there is room for it.
+  /// The areas available to the legend.
   struct Room {
-    Area view;   ///< of the mesh that is free
-    Area strip;  ///< beside it; empty: the legend lies over a corner of the view
+    Area view;   ///< free part of the mesh's view
+    Area strip;  ///< beside it; empty: the legend is over a corner of the view
     Area whole() const;
   };
-  /// legend: null: its colours are not known yet.
+  /// legend: null while its colours are not known.
   void draw(ImDrawList& list, const PanelContext& context, const Room& room, const Legend* legend);
-  /// Takes the mouse; true if it is the legend's and not the mesh's. Call it after draw().
+  /// Handles the mouse; true if the legend uses it, not the mesh. Call it after draw().
   bool take_pointer(const PanelContext& context, const ScreenPoint& mouse, bool pressed);
-  /// No legend is drawn in this frame.
+  /// Called in a frame without a legend.
   void hide();
-  /// Where it was drawn; none: it is not.
+  /// The box in which the legend was drawn; none: not drawn.
   const std::optional<ScreenBox>& frame() const { return frame_; }
-  /// The mouse has taken hold of it.
+  /// The mouse holds the legend.
   bool held() const { return grip_ || dragging_; }
-  /// The mouse would take hold of it, or has.
+  /// The mouse could grab the legend, or holds it.
   bool offers_grip() const { return over_ || grip_; }
 
  private:
@@ -46,14 +46,14 @@ class LegendCard {
   bool over_bars(const PanelContext& context, const ScreenPoint& mouse) const;
   LegendPlace place_at(const ScreenPoint& mouse) const;
 
-  std::optional<LegendBars> bars_;  // where they were drawn, if a threshold can be dragged
+  std::optional<LegendBars> bars_;  // where drawn, if the threshold can be dragged
   ColorScale scale_;                // of their values
   std::optional<ScreenBox> frame_;
   Room room_;  // of the last frame
   bool dragging_ = false, was_pressed_ = false;
-  bool over_ = false;                // the mouse would take hold of the legend
-  std::optional<ScreenPoint> grip_;  // where it did
-  bool carried_ = false;             // and has gone far enough to carry it elsewhere
+  bool over_ = false;                // the mouse could grab the legend
+  std::optional<ScreenPoint> grip_;  // where the mouse grabbed it
+  bool carried_ = false;             // the mouse moved far enough for a drag
   LegendPlace target_ = LegendPlace::right;
 };
 

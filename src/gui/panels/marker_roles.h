@@ -5,24 +5,25 @@
 
 namespace winslow::gui {
 
-// What the nodes of markers do while the mesh is smoothed, in the list of markers: a word in every
-// row, which a click changes, and below the list what belongs to it.
+// The roles of markers' nodes in smoothing, for the list of markers: a word in every row, changed
+// by a click, and the related settings below the list.
 
-/// Room that the words take, pixels.
+/// Width of the words, pixels.
 float role_width(const Theme& theme);
-/// The word: a click has a marker that stays slide, and the other way round; that of a periodic
-/// side offers what it can be periodic with. min, max: where it stands.
+/// Draws the word. A click switches between fixed and sliding; for a periodic side it offers
+/// possible partners. min, max: box of the word.
 void draw_role(const PanelContext& context, Index marker, const ImVec2& min, const ImVec2& max);
-/// Pairs of the file, feature angle, spacing, what slides along edges, and why the boundary cannot
-/// move so: below the list. previewed: roles are shown while what sets them is edited.
+/// Draws the settings below the list: pairs of the file, feature angle, spacing, sliding along
+/// edges, and why the boundary cannot move with them. previewed: roles are shown while their
+/// settings are edited.
 void draw_role_settings(const PanelContext& context, bool& previewed);
 
-/// What a click on a row "Reference surface" asks for.
+/// Result of a click on a row "Reference surface".
 enum class ReferenceAsk { nothing, choose, clear };
 
-/// The file whose surface nodes slide on: a button that chooses one, and, where there is one, a
-/// cross that lets go of it. id: of the button, that of the cross has "_none" behind it. name:
-/// empty: the mesh's own surface. reading: a file that is being read; empty: none.
+/// A row for the file of the reference surface: a button that chooses it and, if there is one, a
+/// cross that clears it. id: of the button; the cross appends "_none". name: empty for the mesh's
+/// own surface. reading: a file being read; empty: none.
 ReferenceAsk reference_row(const Theme& theme, const std::string& id, const std::string& name,
                            const std::filesystem::path& reading = {});
 

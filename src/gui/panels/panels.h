@@ -2,15 +2,15 @@
 
 #include "gui/menu/panel_context.h"
 
-/// The panels of the studio, for the list of them (gui/shell/workbench/panel_list.cpp), each in a
-/// source of its own. Those that keep nothing from frame to frame are functions.
+/// The panels of the studio, each in its own source file; gui/shell/workbench/panel_list.cpp lists
+/// them. Panels without state are functions.
 namespace winslow::gui {
 
-/// The menu bar: the table of commands (gui/menu/user_command.h), a menu a group.
+/// The menu bar: the table of commands (gui/menu/user_command.h), one menu per group.
 void draw_menu_bar(const PanelContext& context);
 /// The row of buttons beneath the menu: the most frequent commands.
 void draw_toolbar(const PanelContext& context);
-/// One line: the mesh, its quality, what the solver does.
+/// One line: the mesh, its quality, the solver's activity.
 void draw_status(const PanelContext& context);
 
 // The column on the left.
@@ -28,11 +28,11 @@ DrawPanel measures_panel();
 /// The quality table as in the paper: minimum, average and maximum of each metric, before and now
 /// side by side.
 void draw_quality(const PanelContext& context);
-/// How far a surface mesh is from what it was when it was opened, and the volume that it encloses.
-/// Nothing for other meshes.
+/// The deviation of a surface mesh from the mesh as opened, and its enclosed volume. Nothing for
+/// other meshes.
 void draw_deviation(const PanelContext& context);
-/// What a flow solver cares for at the walls of bodies, before and now. Nothing for a mesh without
-/// walls.
+/// Measures of the cells at walls that matter to flow solvers, before and now. Nothing for a mesh
+/// without walls.
 void draw_walls(const PanelContext& context);
 DrawPanel go_to_panel();
 DrawPanel worst_panel();
@@ -43,20 +43,20 @@ DrawPanel sphere_panel();
 DrawPanel history_panel();
 
 DrawPanel convergence_panel();
-/// No step of the history has iterations to show: a strip is enough for that panel.
+/// True if no step of the history has iterations to show: the panel then needs only a strip.
 bool convergence_empty(const PanelContext& context);
 
 // Over the mesh.
-/// What the state of the mesh calls for, in a strip above it: inverted elements, not converged.
+/// Warnings about the mesh, in a strip above it: inverted elements, not converged.
 void draw_banner(const PanelContext& context);
-inline constexpr float banner_padding = 14;  ///< of the strip at its sides, at scale 1
-/// Height that the strip needs at a width, in pixels: one line, or more where there is no room.
+inline constexpr float banner_padding = 14;  ///< at the sides of the strip, at scale 1
+/// Height of the strip for a given width, in pixels: one line, or more if necessary.
 float banner_height(const PanelContext& context, float width);
-/// The card of the demo being played: what happens, what to look at, the numbers as they are now.
+/// The card of the demo being played: its step, what to look at, and present values.
 void draw_demo(const PanelContext& context);
-/// What the card needs at a width, in pixels.
+/// Height of the card for a given width, in pixels.
 float demo_height(const PanelContext& context, float width);
-/// The recording under way: how many frames there are, how far the film is.
+/// The recording in progress: number of frames, progress of the film.
 void draw_recording(const PanelContext& context);
 
 }  // namespace winslow::gui

@@ -8,21 +8,21 @@
 
 namespace winslow::gui {
 
-/// Where to begin: recent files, the bundled meshes, the cases of the paper as guided demos. Fills
-/// the viewport while no mesh is open, or when it is asked for.
+/// The welcome page: recent files, the bundled meshes, the paper's cases as guided demos. Fills the
+/// viewport while no mesh is open, or on request.
 class WelcomePanel {
  public:
   static constexpr float card_width = 190, card_gap = 10;
-  /// Room that all of it takes at scale 1; the height with recent files.
+  /// Size of the page at scale 1; the height includes recent files.
   static constexpr float page_width = 790, page_height = 672;
 
   void draw(const PanelContext& context);
 
-  /// Shown over the open mesh, or no longer.
+  /// Shows or hides the page over the open mesh.
   void toggle() { wanted_ = !wanted_; }
   void close() { wanted_ = false; }
   bool wanted() const { return wanted_; }
-  /// Pictures are still to come.
+  /// Pictures are still being made.
   bool busy() const { return thumbnails_.busy(); }
   const Thumbnails& thumbnails() const { return thumbnails_; }
 

@@ -12,13 +12,13 @@ namespace winslow::gui {
 /// A window with an OpenGL 3.3 core context, made current. Its events go into an InputQueue.
 class Window {
  public:
-  /// Throws Error, saying what to do, where there is no display.
+  /// Throws Error with advice if there is no display.
   Window(int width, int height, const std::string& title);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Waits for events, no longer than this; false if there were none.
+  /// Waits for events, at most this long; false if there were none.
   bool wait(double seconds);
   InputQueue& input() { return input_; }
   std::array<int, 2> size() const;  ///< of the framebuffer, pixels
@@ -27,12 +27,12 @@ class Window {
   /// Pixels per unit of layout on this screen.
   float scale() const;
   double time() const;  ///< seconds
-  void show();          ///< what was drawn since the last call
+  void show();          ///< shows what was drawn since the last call
   void set_title(const std::string& title);
   void set_cursor(int imgui_cursor);
-  /// The user wants to close the window: true once for each time.
+  /// True once for each request of the user to close the window.
   bool take_close_request();
-  /// Copy and paste of the current ImGui context go through this window.
+  /// Connects copy and paste of the current ImGui context to this window.
   void connect_clipboard();
 
  private:

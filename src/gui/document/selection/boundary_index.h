@@ -17,7 +17,7 @@ class BoundaryIndex {
     bool hole = false;           ///< a body in the flow, not the outer boundary
   };
   struct Hit {
-    Index marker = -1;           ///< nearest
+    Index marker = -1;           ///< the nearest one
     std::vector<Index> markers;  ///< of the whole body
     bool hole = false;           ///< a body in the flow, which can be moved freely
     bool inside = false;         ///< hit inside the body, not on its boundary
@@ -98,7 +98,7 @@ struct SurfacePatch {
 /// Shape editing: pieces of boundary are dragged instead of whole bodies.
 struct ShapeEdit {
   bool active = false;
-  double radius = 0;  ///< over which a drag fades, along the boundary
+  double radius = 0;                  ///< over which a drag fades, along the boundary
   std::optional<BoundaryArc> arc;     ///< of a plane mesh
   std::optional<SurfacePatch> patch;  ///< of a volume mesh
 

@@ -55,7 +55,7 @@ class BodySelection {
 
   const LiveMesh& mesh_;
   const std::vector<Index>& markers_;  // the selected ones
-  SpacePivot pivot_;                   // seen from the state before the job under way
+  SpacePivot pivot_;                   // in the state before the running job
 };
 
 /// For plane meshes: the pivot is a fixed point or a named point of the bodies.

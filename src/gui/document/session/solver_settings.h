@@ -40,8 +40,8 @@ class SolverSettings {
 
   /// Called when a command begins: undone overrides can no longer be redone.
   void forget_undone() { overrides_.forget_undone(); }
-  /// Clears settings that hold for one mesh only: a region, sliding markers. After a surface mesh,
-  /// also those that other meshes refuse.
+  /// Clears settings that are valid for one mesh only: a region, sliding markers. For a surface
+  /// mesh also resets options that it does not support.
   void forget_mesh();
   /// Collects the threads' results since the last call. True if anything changed.
   bool poll();

@@ -8,13 +8,13 @@ struct ImGuiInputTextCallbackData;
 
 namespace winslow::gui {
 
-/// What has been chosen in a file dialog so far.
+/// The present input of a file dialog.
 struct FileChoice {
   BrowsedFolder folder;
-  std::string address;      ///< of the folder, as it stands in its field
-  std::string name;         ///< of the file, as it stands in its field
-  std::string error;        ///< why it cannot be; empty: nothing is wrong
-  bool focus_name = false;  ///< the name's field gets the keyboard in the next frame
+  std::string address;      ///< of the folder, as typed in its field
+  std::string name;         ///< of the file, as typed in its field
+  std::string error;        ///< why the choice is invalid; empty: it is valid
+  bool focus_name = false;  ///< focus the name's field in the next frame
 
   void go(const std::filesystem::path& to) {
     folder.go(to);
@@ -27,18 +27,18 @@ struct FileChoice {
   }
 };
 
-/// The folder of a file dialog: its address, places that one may want, the list of its entries.
+/// The folder view of a file dialog: address, frequent places, list of entries.
 class FileBrowser {
  public:
   explicit FileBrowser(FileChoice& choice) : choice_(choice) {}
-  /// The dialog comes up. new_folders: folders can be made.
+  /// Called when the dialog opens. new_folders: the user can create folders.
   void open(bool new_folders);
 
-  /// The address, and the name of a new folder while one is made.
+  /// Draws the address, and the name of a new folder while one is created.
   void draw_address(const PanelContext& context);
-  /// Places and list side by side. True if a file was chosen for good.
+  /// Draws places and list side by side. True if the user has confirmed a file.
   bool draw(const PanelContext& context, float height);
-  /// A file that is chosen is still being read for its picture.
+  /// The chosen file is still being read for its preview.
   bool busy() const { return preview_.busy(); }
 
  private:
@@ -49,12 +49,12 @@ class FileBrowser {
   void draw_headers(const PanelContext& context);
   bool draw_entry(const PanelContext& context, const FolderEntry& entry, bool chosen);
   void draw_sort_arrow() const;
-  /// Columns right of the names, pixels; 0: there is no room for it.
+  /// Widths of the columns right of the names, pixels; 0: no room.
   struct Columns {
     float date = 0, size = 0;
-    bool whole_date = true;  ///< with the hour
+    bool whole_date = true;  ///< with the time of day
   };
-  /// Names come first: dates are shortened for them, then left out, then sizes.
+  /// Names have priority: dates are first shortened, then omitted, then sizes are omitted.
   static Columns columns_for(const Theme& theme, float width, float longest_name);
 
   FileChoice& choice_;
@@ -66,8 +66,8 @@ class FileBrowser {
   bool reversed_ = false;
 };
 
-/// Where the name of a file is typed. Letters find a row of the folder, Tab completes, arrow keys
-/// choose, a slash goes into a folder, Backspace in an empty field goes up.
+/// The text field for a file name. Letters find a row of the folder, Tab completes, arrow keys
+/// choose, a slash enters a folder, Backspace in an empty field goes up.
 class FileNameField {
  public:
   explicit FileNameField(FileChoice& choice) : choice_(choice) {}

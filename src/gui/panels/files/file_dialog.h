@@ -6,22 +6,22 @@
 
 namespace winslow::gui {
 
-/// Chooses a file to open or to write: a dialog of our own, since the system has none that every
-/// desktop shares. Made for the keyboard: letters jump to a name, Tab completes it, arrow keys
-/// choose, a slash or Enter goes into a folder, Backspace in an empty field goes up, Esc leaves.
+/// A dialog that chooses a file to open or to write; desktops have no common one. For keyboard use:
+/// letters jump to a name, Tab completes it, arrow keys choose, a slash or Enter enters a folder,
+/// Backspace in an empty field goes up, Esc closes.
 class FileDialog {
  public:
   FileDialog() = default;
-  FileDialog(const FileDialog&) = delete;  // its parts know its choice
+  FileDialog(const FileDialog&) = delete;  // its parts refer to choice_
   FileDialog& operator=(const FileDialog&) = delete;
-  /// Shows the dialog from the next frame on. `suggested`: folder and name to start with. `step`:
-  /// of the history, that a recording is to be made of. mesh: what is open.
+  /// Shows the dialog from the next frame on. `suggested`: initial folder and name. `step`: of the
+  /// history, to be recorded. mesh: kind of the open mesh.
   void open(FilePurpose purpose, const std::filesystem::path& suggested,
             std::optional<std::size_t> step = std::nullopt, MeshKind mesh = MeshKind::plane);
   bool is_open() const { return open_; }
-  /// A mesh that is saved is saved to go on with what asked for that: see action::SaveMesh.
+  /// Whether a pending action continues after the save: see action::SaveMesh.
   void set_proceed(bool proceed) { proceed_ = proceed; }
-  /// A folder, or a mesh for its picture, is being read.
+  /// A folder, or a mesh for its preview, is being read.
   bool busy() const { return open_ && (choice_.folder.listing().busy() || browser_.busy()); }
   const std::filesystem::path& folder() const { return choice_.folder.listing().folder(); }
   void draw(const PanelContext& context);
@@ -37,8 +37,8 @@ class FileDialog {
 
   bool open_ = false, wanted_ = false;
   FilePurpose purpose_ = FilePurpose::open_mesh;
-  std::optional<std::size_t> step_;  // of the history, that a recording is of
-  bool proceed_ = false;             // as action::SaveMesh
+  std::optional<std::size_t> step_;  // of the history, to be recorded
+  bool proceed_ = false;             // see action::SaveMesh
   DialogKind kind_;
   std::size_t filter_ = 0;  // of kind_.kinds
   FileChoice choice_;

@@ -8,24 +8,24 @@
 
 namespace winslow::gui {
 
-/// Share of a row that labels take in the panel of layers.
+/// The labels' share of a row in the panel of layers.
 constexpr float layer_label_share = 0.46f;
 
-/// A row for a number; what is typed counts once it is finite.
+/// A row for a number; typed input is accepted once it is finite.
 inline void layer_field(const char* id, const char* label, double& value, const char* tip) {
   ui::row(label, tip, layer_label_share);
   double typed = value;
   if (ui::number(id, typed, tip) && std::isfinite(typed)) value = typed;
 }
 
-/// Fields for the part of a wall's markers that is to have layers.
+/// Fields for the part of a wall's markers that gets layers.
 class PartForm {
  public:
-  /// names: the markers, whose box the fields begin with.
+  /// names: the markers, whose bounding box is the initial value.
   void draw(const PanelContext& context, const std::vector<std::string>& names);
-  /// What the fields say.
+  /// The values of the fields.
   WallPart part() const { return only_ ? part_ : WallPart{}; }
-  /// Puts another part into the fields.
+  /// Sets the fields.
   void set(const WallPart& part);
 
  private:
@@ -37,11 +37,11 @@ class PartForm {
 class SpacingForm {
  public:
   void draw();
-  /// What the fields say.
+  /// The values of the fields.
   LayerSpacing spacing() const;
-  /// Puts other numbers into the fields.
+  /// Sets the fields.
   void set(const LayerSpacing& spacing);
-  /// Heights that the fields ask for; none while they make no sense.
+  /// Heights for the values of the fields; none while these are invalid.
   std::vector<double> heights() const;
 
  private:
@@ -54,17 +54,17 @@ class SpacingForm {
   double y_plus_ = 1, reynolds_ = 1e6, length_ = 1;
 };
 
-/// How the layers of the mesh on screen came out.
+/// The quality of the layers of the mesh on screen.
 class LayerResult {
  public:
-  /// Nothing while the mesh has no layers.
+  /// Draws nothing while the mesh has no layers.
   void draw(const PanelContext& context);
 
  private:
   void measure(const PanelContext& context);
   void draw_cut_columns(const PanelContext& context);
 
-  // Measured of this stack when the mesh had this shape and these markers were selected.
+  // The measures are valid for this stack, shape and selection.
   std::shared_ptr<const LayerStack> stack_;
   std::uint64_t shape_ = 0;
   std::vector<Index> selection_;

@@ -5,17 +5,17 @@
 
 namespace winslow::gui {
 
-/// Walls that have settings of their own. While it is empty, the markers selected are the wall.
+/// Walls with individual settings. While the list is empty, the selected markers are the wall.
 class WallList {
  public:
   const std::vector<LayerWall>& walls() const { return walls_; }
-  /// The wall of just these markers; null: there is none.
+  /// The wall of exactly these markers; null: none.
   LayerWall* find(const std::vector<std::string>& markers);
-  /// Adds a wall. A marker is in one wall only: those that had it before lose it.
+  /// Adds a wall. Each marker is in one wall only: it is removed from other walls.
   void add(LayerWall wall);
   void clear() { walls_.clear(); }
 
-  /// A row for each wall: a click selects its markers, a cross takes it out.
+  /// Draws a row for each wall: a click selects its markers, a cross removes it.
   void draw(const PanelContext& context);
 
  private:
@@ -24,12 +24,12 @@ class WallList {
   std::vector<LayerWall> walls_;
 };
 
-/// Single columns that are set by hand, over the rules for corners and gaps.
+/// Settings of single columns, which override the rules for corners and gaps.
 class ColumnList {
  public:
-  /// A list in a fold, and fields for the one chosen. A node is added by inspecting it.
+  /// Draws the list in a fold, and fields for the chosen column. The inspected node can be added.
   void draw(const PanelContext& context, const std::vector<LayerWall>& walls);
-  /// Those that say something, on these walls.
+  /// The non-default overrides on these walls.
   std::vector<ColumnOverride> on(const Topology& topology,
                                  const std::vector<LayerWall>& walls) const;
   void clear() { columns_.clear(); }
@@ -40,7 +40,7 @@ class ColumnList {
 
   std::vector<ColumnOverride> columns_;
   std::size_t chosen_ = 0;
-  double thickness_ = 0.01;  // in the field, while the column has none of its own
+  double thickness_ = 0.01;  // in the field, while the column does not set one
 };
 
 }  // namespace winslow::gui

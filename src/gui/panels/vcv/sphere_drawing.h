@@ -9,30 +9,30 @@
 
 namespace winslow::gui {
 
-/// What is drawn of a star of tetrahedra, or of a VCV, in a rectangle of a panel.
+/// Data for the drawing of a star of tetrahedra, or of a VCV, in a rectangle of a panel.
 struct SphereDrawing {
   std::string_view title;  ///< in the corner
-  std::string_view id;     ///< of what scripts find: "ID/end/k", "ID/angle/t", "ID/weight/k"
+  std::string_view id;     ///< prefix of script ids: "ID/end/k", "ID/angle/t", "ID/weight/k"
   const SphereLink& link;
   const SphereStar& star;
   const ColorScale& colors;                ///< of the solid angles
-  std::span<const double> weights;         ///< of the edges; empty: none are shown
-  const VolumeNodalView* image = nullptr;  ///< the nodal Jacobian's, if it is shown
-  std::optional<std::size_t> lit;          ///< a neighbour that is lit up
-  std::optional<std::size_t> lit_face;     ///< a triangle that is
+  std::span<const double> weights;         ///< of the edges; empty: not shown
+  const VolumeNodalView* image = nullptr;  ///< image of the nodal Jacobian; null: not shown
+  std::optional<std::size_t> lit;          ///< a highlighted neighbour
+  std::optional<std::size_t> lit_face;     ///< a highlighted triangle
 };
 
-/// The solid with the triangles of its link coloured by their solid angles and shaded by how they
-/// face the viewer; what lies behind shines through faintly. Numbers stand where they are legible:
-/// a solid angle in a triangle that has room for it, weights beside their points, negative ones
-/// first; the rest is left to the tables. camera: with the rectangle for its viewport.
+/// Draws the solid: the triangles of its link are coloured by their solid angles and shaded by
+/// their orientation; the rear side shows through faintly. Draws the numbers that fit: solid angles
+/// in triangles, weights beside their points, negative ones first; the tables contain all numbers.
+/// camera: its viewport is the rectangle.
 void draw_sphere(ImDrawList& list, const Theme& theme, const SpaceCamera& camera,
                  const SphereDrawing& drawing);
 
-/// A strip with the colours and both ends of the scale, across the row.
+/// Draws a strip with the colours and both ends of the scale, across the row.
 void draw_angle_legend(const Theme& theme, const ColorScale& colors);
 
-/// Points that lie before the solid, the others have none of the mouse.
+/// True for points in front of the solid; only these react to the mouse.
 std::vector<bool> points_in_front(const SpaceCamera& camera, const SphereLink& link,
                                   const SphereStar& star);
 

@@ -11,26 +11,26 @@
 
 namespace winslow::gui {
 
-/// A node's star of tetrahedra beside its VCV, each to scale and turned by the mouse, together or
-/// one by one. The points of the VCV can be dragged over the sphere.
+/// Plots a node's star of tetrahedra beside its VCV, each to scale. The mouse rotates both,
+/// together or separately, and drags the points of the VCV over the sphere.
 class SpherePlot {
  public:
   using Outcome = VcvPlotOutcome;
   struct Look {
-    std::optional<std::size_t> lit;       ///< a neighbour that is lit up from elsewhere
-    std::optional<std::size_t> lit_face;  ///< a triangle that is
-    bool large = false;                   ///< one below the other, each across the row
+    std::optional<std::size_t> lit;       ///< a neighbour highlighted from elsewhere
+    std::optional<std::size_t> lit_face;  ///< a triangle highlighted from elsewhere
+    bool large = false;                   ///< one below the other, each as wide as the row
   };
   Outcome draw(const VolumeNodalView& view, const Look& look, const Theme& theme);
 
-  /// Whether both are turned together. Put together, the VCV is seen as the star is.
+  /// True if both rotate together. Linking them gives the VCV the view of the star.
   bool linked() const { return linked_; }
   void link(bool linked);
-  /// Both are seen from here.
+  /// Sets the view of both.
   void look_from(const ViewDirection& direction);
 
   bool dragging() const { return drag_.has_value(); }
-  /// Why the point that is dragged does not follow the mouse, for the line below the picture.
+  /// What stops the dragged point from following the mouse, for the line below the picture.
   const std::optional<Index>& stopped_by() const;
 
   /// Colours of both, by their solid angles.
@@ -45,11 +45,11 @@ class SpherePlot {
 
   bool linked_ = true;
   std::array<ViewDirection, 2> from_{ViewDirection{30, 20, 2}, ViewDirection{30, 20, 2}};
-  std::optional<std::size_t> turning_;  // the picture that the mouse turns
+  std::optional<std::size_t> turning_;  // the picture that the mouse rotates
   std::optional<SphereDrag> drag_;
   SpaceCamera drag_camera_;  // at its start
   VcvEdit sent_;
-  bool let_go_ = true;  // after Esc the button must come up first
+  bool let_go_ = true;  // after Esc the button must be released first
 };
 
 }  // namespace winslow::gui

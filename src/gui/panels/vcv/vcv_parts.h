@@ -8,31 +8,30 @@
 
 namespace winslow::gui {
 
-/// The number of the node that is inspected, which can be typed, and its pin. typed: what stands in
-/// the field.
+/// Draws the field for the number of the inspected node, and its pin. typed: content of the field.
 void draw_node_header(const PanelContext& context, int& typed);
-/// What to do while no node is inspected.
+/// Draws a hint while no node is inspected.
 void draw_node_hint();
-/// A value with what it is.
+/// Draws a value with its label.
 void draw_figure(const char* id, const char* label, const std::string& value, const char* tip,
                  ImU32 color = palette().text);
-/// A sentence in the place of a node's figures: why it has no VCV.
+/// Draws the reason why a node has no VCV, in place of its values.
 void draw_no_vcv(const std::string& why);
 /// Changes one VCV and smooths.
 void edit_vcv(const PanelContext& context, VcvEdit edit);
 /// The radius of a neighbour's disc, in units of the layout.
 inline constexpr float disc_size = 7.5f;
-/// The number of a neighbour, from 1, in the middle of its disc.
+/// Draws the number of a neighbour, from 1, at the centre of its disc.
 void draw_number(ImDrawList& list, const Theme& theme, const ImVec2& at, std::size_t neighbour,
                  bool lit);
 
-/// Writes labels where there is room: one that would touch another is left out.
+/// Draws labels without overlaps: omits a label that would touch another one.
 class LabelPlacer {
  public:
   LabelPlacer(ImDrawList& list, ImFont* font, const ImVec2& min, const ImVec2& max)
       : list_(list), font_(font), min_(min), max_(max) {}
 
-  /// Keeps a square free of labels.
+  /// Reserves a square in which no label is placed.
   void block(const ImVec2& centre, float half);
   /// Text around a point. True if there was room. background: behind the text; 0: none.
   bool place(const ImVec2& centre, const std::string& text, ImU32 color, ImU32 background = 0);
@@ -49,22 +48,22 @@ class LabelPlacer {
   std::vector<Rect> taken_;
 };
 
-/// What the mouse does in a picture of a VCV, of the plane or of space.
+/// Result of the mouse input in a picture of a VCV, in the plane or in space.
 struct VcvPlotOutcome {
   std::optional<std::size_t> hovered;  ///< neighbour under the mouse
-  std::optional<VcvEdit> edit;         ///< the VCV as it is dragged
+  std::optional<VcvEdit> edit;         ///< the VCV during the drag
   bool ended = false;                  ///< the drag is over
   bool cancelled = false;              ///< by Esc
 };
-/// Emits what has become of the VCV. edge: the one that is chosen, by a press of the mouse.
+/// Emits the changes of the VCV. edge: the chosen edge, updated by a press of the mouse.
 void take_outcome(const PanelContext& context, const VcvPlotOutcome& outcome, std::size_t& edge);
-/// The neighbour that is lit up: the one given, or that under the mouse in the mesh.
+/// The highlighted neighbour: the given one, or that under the mouse in the mesh.
 std::optional<std::size_t> lit_neighbour(const PanelContext& context,
                                          std::span<const Index> neighbours,
                                          const std::optional<std::size_t>& hovered);
 
-/// Buttons that give the node its own VCV again, and all nodes that were edited. reset: of the
-/// node; edited: it was. tips: of both.
+/// Draws buttons that reset the VCV of the node, and those of all edited nodes. reset: edit for the
+/// node. edited: the node has an edited VCV. tips: of both buttons.
 void draw_resets(const PanelContext& context, const VcvEdit& reset, bool edited,
                  const std::vector<Index>& all_edited, const std::array<const char*, 2>& tips);
 

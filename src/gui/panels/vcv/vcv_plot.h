@@ -12,22 +12,22 @@ namespace winslow::gui {
 /// The angles (degrees) and edge lengths of a node's VCV, edited or not.
 VcvEdit numbers_of(const NodalView& view);
 
-/// A picture of a star: where its node is, pixels per unit of length, how far it is turned.
+/// Geometry of a picture of a star: position of its node, pixels per unit of length, rotation.
 struct VcvFrame {
   ImVec2 min, max, centre;
-  double scale = 1;  // an edge may be longer than a float can say
+  double scale = 1;  // double: an edge may exceed the range of float
   double turn = 0;
   ImVec2 pixel(const Vec2& p) const;
   Vec2 point(const ImVec2& p) const;
 };
 
-/// A node's physical star beside its VCV, each to scale. In the star, the image of the unit circle
-/// under the nodal Jacobian; on the edges of the VCV the weights, negative ones in red. Neighbours
-/// have the same numbers in both. The ends of the VCV's edges can be dragged.
+/// Plots a node's physical star beside its VCV, each to scale. The star contains the image of the
+/// unit circle under the nodal Jacobian; the edges of the VCV show the weights, negative ones in
+/// red. Neighbours have the same numbers in both. The ends of the VCV's edges can be dragged.
 class VcvPlot {
  public:
   using Outcome = VcvPlotOutcome;
-  /// Across the row. highlighted: a neighbour lit up from elsewhere.
+  /// Draws as wide as the row. highlighted: a neighbour highlighted from elsewhere.
   Outcome draw(const NodalView& view, std::optional<std::size_t> highlighted, const Theme& theme);
   bool dragging() const { return drag_.has_value(); }
 
@@ -36,9 +36,9 @@ class VcvPlot {
                   std::optional<std::size_t> under, Outcome& outcome);
 
   std::optional<VcvDrag> drag_;
-  VcvEdit edit_;         // where the drag has got to
+  VcvEdit edit_;         // present state of the drag
   VcvFrame drag_frame_;  // scale and turn at its start
-  bool let_go_ = true;   // after Esc the button must come up first
+  bool let_go_ = true;   // after Esc the button must be released first
 };
 
 }  // namespace winslow::gui

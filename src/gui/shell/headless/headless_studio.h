@@ -8,26 +8,26 @@
 
 namespace winslow::gui {
 
-/// The studio without a display: the same workbench, its frames drawn off-screen, its mouse and
-/// keyboard worked by a program. What the studio would show as an error is thrown.
+/// The studio without a display: the same workbench with off-screen frames, and mouse and keyboard
+/// input from a program. Errors that the studio would show are thrown.
 class HeadlessStudio {
  public:
-  /// width, height: of the window, pixels. Throws Error where no OpenGL can be had.
+  /// width, height: of the window, pixels. Throws Error if OpenGL is not available.
   HeadlessStudio(int width, int height);
 
   Workbench& bench() { return *bench_; }
   InputQueue& input() { return input_; }
   void resize(int width, int height);
 
-  /// Runs frames until all input is taken, then `more` of them.
+  /// Runs frames until all input is processed, then `more` frames.
   void frames(int more = 2);
-  /// Runs frames until nothing is under way. Throws what went wrong on the way as Error.
+  /// Runs frames until all work is done. Throws Error if something fails meanwhile.
   void settle();
   /// Opens a mesh and waits for it. Throws InputError.
   void open(const std::filesystem::path& mesh, int zone = 0);
 
-  /// Carries out commands, one after the other. seen: called with every new mesh on the way;
-  /// without it the solver is not held up. Throws Error.
+  /// Carries out commands, one after the other. seen: called for every new mesh; without it the
+  /// solver does not wait. Throws Error.
   void replay(const std::vector<Command>& commands, const std::function<void()>& seen = {});
 
  private:
@@ -42,52 +42,53 @@ class HeadlessStudio {
   Coordinates last_seen_;
 };
 
-/// A script of what a user does in the studio, line by line (docs/studio.md lists the words).
+/// A script of user actions in the studio, one per line (docs/studio.md lists the words).
 struct ScriptLine {
   int number = 0;                  ///< in the file, from 1
-  std::vector<std::string> words;  ///< never empty; "quoted words" are one
+  std::vector<std::string> words;  ///< never empty; "quoted words" count as one
 };
 struct Script {
   std::filesystem::path file;
   std::vector<ScriptLine> lines;
 };
 
-/// Throws InputError "FILE:LINE: ..." for a word that nothing is known of, too few or too many
-/// words, or a quote that does not end.
+/// Throws InputError "FILE:LINE: ..." for an unknown word, too few or too many words, or an
+/// unterminated quote.
 Script read_script(const std::filesystem::path& file);
 
-/// A key and those held with it, as GLFW numbers: of "F", "Ctrl+Shift+Z", "Escape". Throws
-/// UsageError.
+/// GLFW codes of a key and its modifiers: of "F", "Ctrl+Shift+Z", "Escape". Throws UsageError.
 std::vector<int> parse_keys(const std::string& text);
 
-/// Does what a script says. `folder`: where its pictures go; empty: the working folder. Tells `say`
-/// what was written. Throws Error "FILE:LINE: ..." where something cannot be done.
+/// Carries out a script. `folder`: for its pictures; empty: the working folder. say: called for
+/// every written file. Throws Error "FILE:LINE: ..." if a line fails.
 void play_script(const Script& script, HeadlessStudio& studio, const std::filesystem::path& folder,
                  const std::function<void(const std::string&)>& say);
 
-/// The studio as a program without a window.
+/// Options of the studio as a program without a window.
 struct HeadlessOptions {
-  std::optional<std::filesystem::path> mesh;  ///< to start with; before that of the recipe
-  int zone = 0;                               ///< of it; 0: the recipe's, or else the first
-  std::filesystem::path recipe;               ///< carried out; empty: none
-  std::filesystem::path script;               ///< played then; empty: none (docs/studio.md)
-  std::filesystem::path picture;              ///< of the end: .png, .svg or .pdf; empty: none
-  std::filesystem::path frames;    ///< of the recipe: a folder, or a film .mp4 or .gif; empty: none
-  std::filesystem::path folder;    ///< where a script's pictures go; empty: the working folder
-  RecordingSpec recording;         ///< of the frames; its picture is also that of `picture`
+  std::optional<std::filesystem::path>
+      mesh;                        ///< mesh to open; takes precedence over that of the recipe
+  int zone = 0;                    ///< of the mesh; 0: the recipe's, or else the first
+  std::filesystem::path recipe;    ///< recipe to carry out; empty: none
+  std::filesystem::path script;    ///< script to play then (docs/studio.md); empty: none
+  std::filesystem::path picture;   ///< of the final state: .png, .svg or .pdf; empty: none
+  std::filesystem::path frames;    ///< of the recipe: a folder, or a film (.mp4, .gif); empty: none
+  std::filesystem::path folder;    ///< for a script's pictures; empty: the working folder
+  RecordingSpec recording;         ///< of the frames; its PictureSpec also applies to `picture`
   int width = 1440, height = 900;  ///< of the window, pixels
-  /// Called with the recipe's commands before the first is carried out; throws what is wrong.
+  /// Called with the recipe's commands before the first is carried out; throws if one is invalid.
   std::function<void(const std::vector<Command>&, const Topology&, const std::string& file)> check;
-  /// Told of what was done, when it was: "Wrote a.png"; and of what reading the mesh found odd.
+  /// say: called after each operation, "Wrote a.png". warn: called with warnings of the mesh's
+  /// reader.
   std::function<void(const std::string&)> say = [](const std::string&) {};
   std::function<void(const std::string&)> warn = [](const std::string&) {};
 };
 
-/// What it came to.
+/// The result of a run.
 struct HeadlessResult {
-  Index inverted = 0;           ///< elements of the last mesh
-  double fraction_reached = 1;  ///< of the recipe's motions, the smallest
-  bool converged = true;        ///< every command of the recipe
+  Index inverted = 0;           ///< inverted elements of the last mesh
+  double fraction_reached = 1;  ///< smallest of the recipe's motions
+  bool converged = true;        ///< true if every command of the recipe converged
 };
 
 /// Throws InputError, UsageError, OutputError, Error.

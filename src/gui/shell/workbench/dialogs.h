@@ -6,14 +6,14 @@
 
 namespace winslow::gui {
 
-/// The windows that come up over the studio: dialogs, the palette of commands, prompts.
+/// Owns the windows that open above the studio: dialogs, the palette of commands, prompts.
 class Dialogs {
  public:
   explicit Dialogs(const Session& session) : session_(session) {}
 
   void apply(const DialogAction& action) { Dispatch::to(*this, action); }
   const FileDialog& file_dialog() const { return file_; }
-  /// Draws those that are up. window, mesh: their sizes on screen, pixels.
+  /// Draws the open ones. window, mesh: their sizes on screen, pixels.
   void draw(const PanelContext& context, const ScreenVector& window, const ScreenVector& mesh);
 
   void on(const action::ShowFileDialog& a);
@@ -36,7 +36,7 @@ class Dialogs {
   CommandPalette palette_;
   AboutPanel about_;
   ContextMenu context_;
-  std::optional<std::size_t> recorded_step_;  // that the file dialog is open for
+  std::optional<std::size_t> recorded_step_;  // for which the file dialog is open
 };
 
 }  // namespace winslow::gui

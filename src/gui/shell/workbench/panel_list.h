@@ -5,26 +5,26 @@
 
 namespace winslow::gui {
 
-/// Where panels stand in the studio's window.
+/// The regions of the studio's window that contain panels.
 enum class Region { menu, toolbar, status, left, right, plot, banner, demo, recording };
 
 struct RegisteredPanel {
-  std::string id;     ///< no other panel has it
-  std::string title;  ///< as the user is told of it
+  std::string id;     ///< unique
+  std::string title;  ///< shown to the user
   Region region = Region::left;
   DrawPanel draw;
-  std::optional<SideTab> tab = {};   ///< that is to be open; none: it has none
-  MeshKinds shown_for = all_meshes;  ///< nothing is said of it while another mesh is open
-  MeshKinds serves = all_meshes;     ///< a line says that it does not serve another mesh
+  std::optional<SideTab> tab = {};   ///< tab that contains the panel; none: in no tab
+  MeshKinds shown_for = all_meshes;  ///< hidden while another kind of mesh is open
+  MeshKinds serves = all_meshes;     ///< for other kinds, a line says that they are not supported
 };
 
-/// The panels of the studio, in the order in which they stand in their regions.
+/// The panels of the studio, in their order within the regions.
 class PanelRegistry {
  public:
   /// Throws std::logic_error if another panel has this id.
   void add(RegisteredPanel panel);
-  /// Draws the panels of a region into the current ImGui window. mesh: of the open mesh, or what
-  /// could be opened.
+  /// Draws the panels of a region into the current ImGui window. mesh: kind of the open mesh, or of
+  /// a mesh that can be opened.
   void draw(Region region, const PanelContext& context, MeshKind mesh) const;
   const std::vector<RegisteredPanel>& panels() const { return panels_; }
 
@@ -32,7 +32,7 @@ class PanelRegistry {
   std::vector<RegisteredPanel> panels_;
 };
 
-/// Every panel that has a place of its own in the window.
+/// All panels with a place in the window.
 ///
 /// TO ADD A PANEL, add a line to the list in panel_list.cpp.
 PanelRegistry make_panels();

@@ -7,11 +7,11 @@
 
 namespace winslow::gui {
 
-/// Draws the window, and pictures of it that have another size or show the mesh alone. Those are
-/// laid out in a frame of their own: the window's stays as it is.
+/// Draws the window, and pictures of another size or of the mesh alone. Pictures have a separate
+/// layout and do not change that of the window.
 class PicturePainter : public PictureSource {
  public:
-  /// What the window shows; all of it outlives the painter.
+  /// The content of the window; all references must outlive the painter.
   struct Shown {
     Session& session;
     PanelContext context;
@@ -26,14 +26,14 @@ class PicturePainter : public PictureSource {
 
   /// Draws the window's frame last laid out into the bound framebuffer.
   void paint_window();
-  /// The same, off-screen.
+  /// Draws the window's frame off-screen.
   Image picture() override;
   Image picture(const PictureSpec& spec) override;
   Image picture_of(const Coordinates& nodes, const PictureSpec& spec) override;
   ScreenVector picture_extent(const PictureSpec& spec) const override;
   VectorFigure figure(bool legend) const override;
 
-  /// Between frames. Frees what the last picture needed once none has been asked for in a while.
+  /// Call it between frames. Frees the data of the last picture after a while without pictures.
   void forget_idle(double seconds);
 
  private:
@@ -47,7 +47,7 @@ class PicturePainter : public PictureSource {
   void end(std::unique_ptr<Picture> picture, unsigned framebuffer);
 
   Shown shown_;
-  std::unique_ptr<WindowFrame> last_;  // of the last picture: the next often has its size
+  std::unique_ptr<WindowFrame> last_;  // of the last picture, for reuse at the same size
   double age_ = 0;                     // seconds since the last picture
 };
 

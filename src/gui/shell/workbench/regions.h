@@ -11,7 +11,7 @@
 
 namespace winslow::gui {
 
-/// The interface of a framebuffer: of the window, or of a picture with a size of its own.
+/// The interface of a framebuffer: that of the window, or of a picture with another size.
 struct WindowFrame {
   explicit WindowFrame(float scale) : ui(scale) {}
 
@@ -20,25 +20,26 @@ struct WindowFrame {
   int width = 1, height = 1;  ///< of the framebuffer, pixels
 };
 
-/// The regions into which a window is divided, and the panels that stand in them.
+/// Divides a window into regions and draws the panels in them.
 class Regions {
  public:
   Regions();
 
-  /// The bar of menus; divides what is left of the framebuffer.
+  /// Draws the menu bar and divides the rest of the framebuffer.
   void draw_menu(const PanelContext& context, WindowFrame& frame) const;
-  /// Toolbar, status and the columns beside the mesh.
+  /// Draws the toolbar, the status bar and the columns beside the mesh.
   void draw(const PanelContext& context, const Layout& layout) const;
-  /// The strips between them that are dragged. Returns by how many pixels the divider between two
-  /// meshes was; none if there is no divider.
+  /// Handles the splitters between the regions. Returns the pixels by which the divider between two
+  /// meshes was dragged; none without a divider.
   std::optional<float> drag_splitters(const PanelContext& context, Layout& layout) const;
 
-  /// Cards that lie over the mesh: in the window, in a picture of it, in one of the mesh alone.
+  /// Cards drawn over the mesh: all in the window, those on the mesh in a picture of it, none in a
+  /// picture of the mesh alone.
   enum class Cards { all, of_the_mesh, none };
-  /// Those cards, or the page of where to begin. area: of the mesh.
+  /// Draws those cards, or the welcome page. area: of the mesh.
   void draw_over_mesh(const PanelContext& context, const Area& area, Cards cards);
 
-  /// The page of where to begin is in the mesh's place.
+  /// True while the welcome page replaces the mesh.
   bool shows_welcome(const Session& session) const;
   WelcomePanel& welcome() { return welcome_; }
   const WelcomePanel& welcome() const { return welcome_; }

@@ -18,53 +18,53 @@
 
 namespace winslow::gui {
 
-/// The mesh's part of a frame: of the window, or of a picture.
+/// The part of a frame that shows the mesh, in the window or in a picture.
 struct MeshFrame {
   const PanelContext& context;
   const View& view;
   const Layout& layout;
   Lens& lens;
-  const SpaceCamera* space = nullptr;  ///< the view, of a volume mesh
-  bool mesh_alone = false;             ///< nothing that is there for the mouse's sake
+  const SpaceCamera* space = nullptr;  ///< the view of a volume mesh
+  bool mesh_alone = false;             ///< without elements for mouse input
 };
 
-/// The part of the window that shows the mesh: the mesh itself, what is drawn over it, and the
+/// The part of the window that shows the mesh: draws the mesh and its overlays, and handles the
 /// mouse over it.
 class ViewportPane {
  public:
   ViewportPane(const Session& session, ViewControl& control)
       : session_(session), control_(control) {}
 
-  /// Takes what threads have done. True if a new frame would look different.
+  /// Collects the threads' results. True if a new frame would look different.
   bool poll();
-  /// The picture is not that of the mesh yet.
+  /// True until the picture shows the present mesh.
   bool busy() const { return mesh_view_.busy() || before_.busy(); }
-  /// Follows the mesh and its colours. scale: of the interface.
+  /// Updates the mesh and its colours. scale: of the interface.
   void follow_mesh(const ViewOptions& options, float scale);
-  /// The same, and the view that it is seen in.
+  /// The same, and updates the view.
   void update(const ViewOptions& options, const View& view, float scale);
-  /// Measures what is selected, for the gizmo: not while it moves, so that the ring stays.
+  /// Measures the selection for the gizmo; not during motions, so that the ring keeps its size.
   void measure_selection();
 
-  /// Hands the mouse to what it is over.
+  /// Passes the mouse to the object under it.
   void drive(const InputState& input, const PanelContext& context, const Layout& layout);
   void draw_overlays(ImDrawList& list, const MeshFrame& frame);
 
-  /// What the mouse acts upon now. scale: of the interface.
+  /// The scene on which the mouse acts. scale: of the interface.
   ViewportScene scene(double scale) const;
   const Viewport& viewport() const { return viewport_; }
-  /// It changes the view, or drags something.
+  /// True while the mouse changes the view or drags something.
   bool mouse_busy() const { return viewport_.gesture() != Viewport::Gesture::none; }
   /// A body, a handle or a piece of boundary is being dragged.
   bool dragging() const { return viewport_.dragging(); }
   const Ruler& ruler() const { return ruler_; }
-  /// What the mesh is compared with, as of the last frame.
+  /// The state with which the mesh is compared, as of the last frame.
   const BeforeMesh& before() const { return before_; }
   MeshView& mesh_view() { return mesh_view_; }
   const MeshView& mesh_view() const { return mesh_view_; }
-  /// Of the window.
+  /// The magnifier of the window.
   Lens& lens() { return lens_; }
-  /// Shape of the mouse cursor over the mesh (ImGuiMouseCursor); none: whatever the interface has.
+  /// Shape of the mouse cursor over the mesh (ImGuiMouseCursor); none: that of the interface.
   std::optional<int> cursor() const;
 
  private:
@@ -89,15 +89,15 @@ class ViewportPane {
   Viewport viewport_;
   ContextClick context_click_;
   Ruler ruler_;
-  bool beside_held_ = false;  // the mouse is over the mesh before, or its gesture began there
+  bool beside_held_ = false;  // the mouse is over the previous mesh, or its gesture began there
   IdLabels id_labels_;
   RoleOverlay roles_;
   LegendCard legend_card_;
-  std::vector<Index> double_click_;  // markers of the body that is clicked the second time
-  double reach_ = 0;                 // of the selection, when nothing was moving
+  std::vector<Index> double_click_;  // markers of the body under a double click
+  double reach_ = 0;                 // of the selection, measured without motion
 };
 
-/// The magnifier as a picture has it: one that follows the mouse is none of the mesh's.
+/// The magnifier for a picture: one that follows the mouse is omitted.
 std::optional<Inset> pinned_inset(const Session& session, const ViewOptions& view,
                                   const Camera& camera, double scale);
 

@@ -16,37 +16,37 @@ namespace winslow::gui {
 
 struct WorkbenchOptions {
   float scale = 1;  ///< pixels per unit of the layout
-  /// Folder for what outlives the studio: settings, recent files, the autosaved session. Empty:
-  /// nothing is kept, nothing is read.
+  /// Folder of data kept between runs: settings, recent files, the autosaved session. Empty:
+  /// nothing is read or written.
   std::filesystem::path profile;
-  /// Folder of the meshes that guided demos open. Empty: the bundled meshes.
+  /// Folder of the meshes for guided demos. Empty: the bundled meshes.
   std::filesystem::path demo_meshes = {};
 };
 
-/// The studio without its window: turns input into frames. The window, the headless screenshot and
-/// the tests all drive this one class. Needs a current OpenGL context throughout.
+/// The studio without its window: turns input into frames. The window, the headless studio and the
+/// tests all use this class. Always needs a current OpenGL context.
 class Workbench {
  public:
   explicit Workbench(const WorkbenchOptions& options = {});
-  /// What is kept for the case of a crash goes if the user had quit, and stays if not.
+  /// Removes the autosaved session if the user has quit, and keeps it otherwise.
   ~Workbench();
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
 
-  /// Pixels per unit of the layout that the screen wants; the user may want another scale.
+  /// Sets the screen's preferred pixels per unit of the layout; the user can choose another scale.
   void set_scale(float scale) { view_control_.scale().set_screen(scale); }
   void apply(const Action& action);
 
-  /// One frame: takes input off the queue, as much as it can hold, collects what threads have done,
-  /// lays out the interface. A key waits until the mesh that the last key led to has been seen.
-  /// width, height: framebuffer pixels. seconds: since the last frame.
+  /// Updates one frame: takes input for it from the queue, collects the threads' results, lays out
+  /// the interface. A key waits until the mesh resulting from the last key was shown. width,
+  /// height: framebuffer pixels. seconds: since the last frame.
   void update(InputQueue& queue, int width, int height, double seconds);
-  /// Draws the frame last updated into the bound framebuffer.
+  /// Draws the last updated frame into the bound framebuffer.
   void paint() { pictures_.paint_window(); }
 
-  /// Collects what threads have done. True if a new frame would look different.
+  /// Collects the threads' results. True if a new frame would look different.
   bool poll();
-  /// Nothing is under way and the colours on screen are those of the mesh on screen.
+  /// True if no work is in progress and the colours on screen match the mesh on screen.
   bool settled() const;
 
   const Session& session() const { return session_; }
@@ -56,7 +56,7 @@ class Workbench {
   const Regions& regions() const { return regions_; }
   const Layout& layout() const { return window_.layout; }
   const Theme& theme() const { return window_.ui.theme(); }
-  /// Where the widgets of the last frame are.
+  /// Positions of the widgets of the last frame.
   const WidgetMap& widgets() const { return window_.ui.widgets(); }
   WidgetMap& widgets() { return window_.ui.widgets(); }
   const Dialogs& dialogs() const { return dialogs_; }
@@ -65,7 +65,7 @@ class Workbench {
   const RecentFiles& recent() const { return opened_files_.recent(); }
   const Autosave& autosave() const { return autosave_; }
   PicturePainter& pictures() { return pictures_; }
-  /// As they would be kept now.
+  /// The present settings, as they would be saved.
   Settings settings() const { return settings_of(view_control_, window_, opened_files_.recent()); }
   /// Shape of the mouse cursor (ImGuiMouseCursor).
   int cursor() const { return pane_.cursor().value_or(window_.ui.cursor()); }
@@ -77,7 +77,7 @@ class Workbench {
   void on(const action::ClearRecent&) { opened_files_.recent().clear(); }
   void on(const action::EditField& a);
   void on(const action::CopyText& a);
-  /// The page goes when another mesh is opened.
+  /// The page closes when another mesh is opened.
   void on(const action::ShowWelcome&) { regions_.welcome().toggle(); }
   void on(const action::StartDemo& a);
   void on(const action::StepDemo& a) { demo_.go(a.by, session_, actions_); }
