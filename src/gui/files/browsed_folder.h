@@ -17,23 +17,22 @@ struct FolderEntry {
 
 enum class SortBy { name, date, size };
 
-/// What is in a folder, read on a thread of its own: a folder may lie at the other end of a slow
-/// network.
+/// Lists a folder on a separate thread, since a folder may be on a slow network.
 class FolderListing {
  public:
-  /// Asks for a folder. What was listed before stays until it is there.
+  /// Requests a folder. The previous list remains until the new one is read.
   void go(const std::filesystem::path& folder);
-  /// Collects what was read. True if anything has changed.
+  /// Collects a list that was read. True if anything has changed.
   bool poll();
   bool busy() const { return reader_.busy(); }
 
-  /// The folder that `entries` are of; when reading failed, the one before.
+  /// The folder of entries(); after a failure, the previous one.
   const std::filesystem::path& folder() const { return folder_; }
   const std::vector<FolderEntry>& entries() const { return entries_; }
-  /// Why the folder asked for last is not shown; empty: it is.
+  /// Why the folder requested last is not shown; empty: it is shown.
   const std::string& error() const { return error_; }
 
-  /// Folders first; names in alphabetical order, dates and sizes from the newest and the largest.
+  /// Sorts folders first; names alphabetically, dates from the newest, sizes from the largest.
   void sort(SortBy by, bool reversed);
 
  private:
@@ -58,46 +57,46 @@ std::string date_text(std::time_t time);
 /// "12 kB", "3.4 MB".
 std::string size_text(std::uintmax_t bytes);
 
-/// The folder that a dialog shows: which of its entries are listed, and the row that letters and
-/// arrow keys have reached.
+/// The folder shown in a dialog: its filtered entries, and the row chosen by letters or arrow keys.
 class BrowsedFolder {
  public:
-  /// At the working folder, nothing of which is read yet.
+  /// Starts at the working folder, not read yet.
   BrowsedFolder();
 
   void go(const std::filesystem::path& folder);
-  /// Where the last go() went.
+  /// The folder of the last go().
   const std::filesystem::path& wanted() const { return wanted_; }
-  /// Takes what was read. Returns why the folder cannot be shown; empty: it can, or nothing is new.
+  /// Collects a list that was read. Returns why the folder cannot be shown; empty: no error, or
+  /// nothing new.
   std::string poll();
-  /// What is listed and whether more is being read.
+  /// The list, and whether another one is being read.
   const FolderListing& listing() const { return listing_; }
   void sort(SortBy by, bool reversed) { listing_.sort(by, reversed); }
 
-  /// Only files of a kind are listed, and files whose names begin with a dot or not.
+  /// Filters: only files of a kind; with or without files whose names begin with a dot.
   void set_filter(FileKind kind) { filter_ = std::move(kind); }
   void show_hidden(bool hidden) { hidden_ = hidden; }
   bool shows_hidden() const { return hidden_; }
   std::vector<const FolderEntry*> shown() const;
 
-  /// Name of the row that was reached; none: no row was.
+  /// Name of the chosen row; none: no row.
   const std::optional<std::string>& chosen() const { return chosen_; }
   void choose(std::string name) { chosen_ = std::move(name); }
-  /// Chooses the first row that begins with a text, letters of either case; empty: none.
+  /// Chooses the first row that begins with a text, ignoring case; empty: no row.
   void find(const std::string& text);
-  /// Chooses a row so many places further down; from none, the first or the last.
+  /// Moves the chosen row down by `by`; without a chosen row, chooses the first or the last.
   void step(int by);
-  /// The row has to be scrolled into sight. True once for each that find() or step() chose.
+  /// True once for each row chosen by find() or step(), which must be scrolled into view.
   bool take_reveal() { return std::exchange(reveal_, false); }
 
-  /// What a text goes on with as far as all names that begin so go on alike.
+  /// The longest common beginning of all names that begin with a text.
   struct Completion {
     std::string text;
-    bool single = false;  ///< one name only begins so
+    bool single = false;  ///< only one name begins with the text
   };
-  /// None if no name begins so.
+  /// None if no name begins with the text.
   std::optional<Completion> complete(const std::string& text) const;
-  /// The folder that a typed text names if it ends in a slash: "meshes/", "/", "~/".
+  /// The folder named by a typed text that ends in a slash: "meshes/", "/", "~/".
   std::optional<std::filesystem::path> typed_folder(const std::string& text) const;
 
  private:

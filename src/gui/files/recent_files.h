@@ -4,8 +4,8 @@
 
 namespace winslow::gui {
 
-/// Meshes opened or saved last, the last one first. Whether they are still there is looked up on a
-/// thread of its own.
+/// Meshes opened or saved recently, the last one first. A separate thread checks whether they still
+/// exist.
 class RecentFiles {
  public:
   struct File {
@@ -16,18 +16,18 @@ class RecentFiles {
   };
   static constexpr std::size_t largest = 12;
 
-  /// As kept in the settings.
+  /// The list as stored in the settings.
   void set(const std::vector<std::string>& paths);
   std::vector<std::string> paths() const;
 
-  /// Puts a file first.
+  /// Moves or adds a file to the front.
   void add(const std::filesystem::path& path);
   void clear() { files_.clear(); }
   const std::vector<File>& files() const { return files_; }
   /// Folders of the files, without repetition.
   std::vector<std::filesystem::path> folders() const;
 
-  /// Looks from time to time for files that have gone or come. seconds: since the last call.
+  /// Checks at intervals whether files exist. seconds: since the last call.
   void update(double seconds);
 
  private:
@@ -36,13 +36,13 @@ class RecentFiles {
   Background<std::vector<File>> look_;
 };
 
-/// A folder that one goes to often.
+/// A frequently used folder.
 struct Place {
   std::string group;  ///< "Places", "Recent folders"
   std::string label;
   std::filesystem::path folder;
 };
-/// Home, desktop where there is one, the working folder, the bundled meshes; then recent folders.
+/// Home, desktop if it exists, the working folder, the bundled meshes; then recent folders.
 std::vector<Place> places(const std::vector<std::filesystem::path>& recent);
 
 std::filesystem::path home_folder();

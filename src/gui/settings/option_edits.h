@@ -11,12 +11,12 @@
 
 namespace winslow::gui {
 
-/// `Options`, const or not.
+/// True if T is `Options` or const `Options`.
 template <class T, class Options>
 concept Is = std::same_as<std::remove_const_t<T>, Options>;
 
-// References to all fields of options without a table, in a tuple. A struct that has got another
-// field does not compile here until the field is named.
+// References to all fields of options without a table, as a tuple. If a struct gets another field,
+// this does not compile until the field is added.
 
 template <Is<Isolation> T>
 auto option_fields(T& options) {
@@ -53,20 +53,20 @@ auto option_fields(T& options) {
                                  right_panel, side_tab, plot_panel));
 }
 
-/// Says which fields of some options change, and to what. The others stay as they are when it is
-/// carried out, so that edits of different fields in one frame all hold, in any order.
+/// A change of some fields of options. Other fields are not modified, so that edits of different
+/// fields in one frame can be applied in any order.
 template <class Options>
 class OptionEdit {
  public:
-  /// Changes nothing.
+  /// An edit without changes.
   OptionEdit() = default;
-  /// The fields in which `after` differs from `before`.
+  /// Changes the fields in which `after` differs from `before`.
   OptionEdit(const Options& before, Options after) : values_(std::move(after)) {
     each([this, old = option_fields(before), now = option_fields(std::as_const(values_))](auto k) {
       set_[k] = !(std::get<k>(old) == std::get<k>(now));
     });
   }
-  /// Every field.
+  /// Changes every field.
   static OptionEdit all(Options values) {
     OptionEdit edit;
     edit.values_ = std::move(values);
@@ -96,7 +96,7 @@ class OptionEdit {
   std::bitset<count> set_;
 };
 
-/// The same for options that have a table (core/options/option.h): what it lists changes.
+/// The same for options with a table (core/options/option.h): changes the options in the table.
 template <class Options>
 requires requires(Options& options) { option_table(options); }
 class OptionEdit<Options> {
@@ -127,12 +127,12 @@ class OptionEdit<Options> {
   bool all_ = false;
 };
 
-/// What leads from one to the other.
+/// The edit that changes `before` into `after`.
 template <class Options>
 OptionEdit<Options> difference(const Options& before, const Options& after) {
   return {before, after};
 }
-/// Every field as it is here.
+/// The edit that sets every field.
 template <class Options>
 OptionEdit<Options> whole(const Options& options) {
   return OptionEdit<Options>::all(options);

@@ -6,17 +6,17 @@
 
 #include "gui/widgets/theme.h"
 
-/// The widgets that panels are made of: Dear ImGui's, in the studio's dress. Each has an id under
-/// which scripts find it, and a tooltip where a newcomer would hesitate.
+/// The widgets of the panels: Dear ImGui's in the studio's style. Each has an id for scripts, and a
+/// tooltip if its purpose is not obvious to new users.
 namespace winslow::gui::ui {
 
-/// Remembers where the last item is under an id.
+/// Records the position of the last item under an id.
 void note(std::string_view id);
 /// The same for any rectangle.
 void note(std::string_view id, const ImVec2& min, const ImVec2& max);
-/// note() of the last item whose label, `label` pixels wide, has `room` of them.
+/// Records the last item. label: width of its label. room: width available for it, both in pixels.
 void note_label(std::string_view id, float label, float room);
-/// Shown when the mouse rests on the last item; wrapped; nothing if empty.
+/// Shows a wrapped text while the mouse rests on the last item; nothing if empty.
 void tooltip(std::string_view text);
 
 enum class ButtonStyle { normal, primary, danger, flat };
@@ -24,20 +24,20 @@ struct ButtonOptions {
   std::string tooltip;
   ButtonStyle style = ButtonStyle::normal;
   bool enabled = true;
-  float width = 0;  ///< pixels; 0: as wide as the label, -1: the rest of the row
+  float width = 0;  ///< pixels; 0: width of the label; -1: the rest of the row
 };
 bool button(std::string_view id, const std::string& label, const ButtonOptions& options = {});
 
 bool checkbox(std::string_view id, const std::string& label, bool& value,
               std::string_view tip = {});
 
-/// Starts a row "label   control": the control takes the rest of the row.
+/// Starts a row "label   control": the control fills the rest of the row.
 void row(const std::string& label, std::string_view tip = {}, float label_share = 0.42f);
-/// Fields for numbers, as wide as set before. True when the value has changed.
+/// Fields for numbers, of the width set before. True if the value has changed.
 bool number(std::string_view id, double& value, std::string_view tip = {},
             const char* format = "%.6g");
 bool number(std::string_view id, int& value, std::string_view tip = {});
-/// What the letter before a component of a vector takes, pixels.
+/// Width of the letter before a component of a vector, pixels.
 float letter_width();
 /// Two fields for the components of a vector, labelled x and y, side by side in the rest of the
 /// row.
@@ -45,23 +45,23 @@ struct VectorField {
   std::string_view x, y;  ///< ids
   std::string_view tooltip;
 };
-/// True when the value has changed. entered: set if Enter was pressed in one of them.
+/// True when the value has changed. entered: set to true if Enter was pressed in one of them.
 bool vector_field(const VectorField& field, Vec2& value, bool* entered = nullptr);
-/// Three fields, of a vector in space, in a row without a label; z may be as narrow as the others.
+/// Three fields for a vector in space, in a row without a label.
 struct SpaceVectorField {
-  std::string_view id;  ///< of the fields: with "_x", "_y", "_z" after it
+  std::string_view id;  ///< of the fields, with "_x", "_y", "_z" appended
   std::string_view tooltip;
 };
 bool space_vector_field(const SpaceVectorField& field, Vec3& value, bool* entered = nullptr);
-/// Enter was pressed in the last field, which ends the typing there.
+/// True if Enter was pressed in the last field, which ends its editing.
 bool entered();
-/// For the callback of a text field that has put another text in place of what was typed: the undo
-/// steps of Dear ImGui belong to the old one.
+/// Clears Dear ImGui's undo steps of a text field; to be called after its callback has replaced the
+/// typed text.
 void forget_typed_steps();
 bool combo(std::string_view id, const std::vector<std::string>& items, std::size_t& chosen,
            std::string_view tip = {});
 
-/// A row with such a list: "label   control". True when another item was chosen.
+/// A row with such a list: "label   control". True if another item was chosen.
 bool choice(std::string_view id, const std::string& label, const std::vector<std::string>& items,
             std::size_t& chosen, std::string_view tip = {}, float label_share = 0.42f);
 /// The same for an enumeration, a switch or a number that counts the items from 0.
@@ -74,7 +74,7 @@ bool choice(std::string_view id, const std::string& label, const std::vector<std
   if (changed) value = static_cast<T>(chosen);
   return changed;
 }
-/// The same for a value of a list; one that is not in it is shown as the item `otherwise`.
+/// The same for a value of a list; a value not in the list is shown as the item `otherwise`.
 template <class T>
 struct Named {
   T value;
@@ -95,7 +95,7 @@ bool choice(std::string_view id, const std::string& label, const std::array<Name
   return changed;
 }
 
-/// A strip of tabs across the row; tab k has the id "ID/k's name in lower case". True when another
+/// A strip of tabs across the row; tab k has the id "ID/k's name in lower case". True if another
 /// one was chosen.
 struct Tab {
   std::string label, tooltip;
@@ -104,11 +104,11 @@ bool tabs(std::string_view id, const std::vector<Tab>& items, std::size_t& chose
 
 /// Header of a part of a panel. False if it is folded.
 bool section(std::string_view id, const std::string& title);
-/// A smaller one within a part, folded at first.
+/// A smaller header within a part, initially folded.
 bool fold(std::string_view id, const std::string& title, std::string_view tip = {});
 /// Opens a section that is folded.
 void unfold(std::string_view id);
-/// The same, and scrolls to it when it is drawn next.
+/// Opens a section and scrolls to it when it is drawn next.
 void reveal(std::string_view id);
 
 /// Text in another colour or font.
@@ -116,19 +116,19 @@ void text_dim(std::string_view text);
 void text_colored(ImU32 color, std::string_view text);
 void text_in(ImFont* font, std::string_view text);
 void text_wrapped(std::string_view text, ImU32 color = palette().text);
-/// The next checkbox stands in the second column, beside the last one, where both have room.
+/// Places the next checkbox in a second column, beside the last one, if there is room for both.
 void second_column(std::string_view label);
-/// A name at the left, what belongs to it at the right, cut where there is no room.
+/// A name at the left and its value at the right, shortened if there is no room.
 void figure(std::string_view name, const std::string& value, std::string_view tip,
             ImU32 color = palette().text);
-/// Right-aligned in what is left of the row or cell.
+/// Right-aligned text in the rest of the row or cell.
 void text_right(std::string_view text, ImU32 color);
 
-/// Text cut to a width with "..." in its middle, so that the end of a file name stays.
+/// Text shortened to a width with "..." in its middle, to keep the end of a file name.
 std::string elided(const std::string& text, float width);
 
-/// The text on lines of that width (pixels) in the present font, broken at spaces alone: Dear ImGui
-/// also breaks after a point, amid a number. A word that is longer keeps its line.
+/// The text with line breaks for that width (pixels) in the present font, only at spaces: Dear
+/// ImGui also breaks after a decimal point. A word longer than the width is not broken.
 std::string with_line_breaks(std::string_view text, float width);
 
 }  // namespace winslow::gui::ui

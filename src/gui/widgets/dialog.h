@@ -6,21 +6,21 @@
 
 namespace winslow::gui::ui {
 
-/// Puts the next window, which is as large as its content, in the middle of the screen and keeps it
-/// within. Returns the width of its content, pixels: `wanted`, or what a small screen leaves of it.
-/// padding: between the content and the frame, pixels.
+/// Centres the next window, sized to its content, and keeps it within the screen. Returns the width
+/// of its content, pixels: `wanted`, or less on a small screen. padding: between the content and
+/// the frame, pixels.
 float place_dialog(float wanted, const ImVec2& padding);
 
-/// A window in the middle of the screen without a title, which holds all else back while it is
-/// open. Draw its content while shown() and only then.
+/// A modal window without a title in the middle of the screen. Draw its content only while shown()
+/// is true.
 class Modal {
  public:
-  /// `id`: unique. open: it comes up now. padding: between the content and the frame, units of the
-  /// layout. size: pixels; 0: as large as the content, for which place_dialog() has made room.
+  /// `id`: unique. open: opens it now. padding: between the content and the frame, units of the
+  /// layout. size: pixels; 0: that of the content, placed by place_dialog().
   struct Look {
     ImVec2 padding;
     ImVec2 size = ImVec2(0, 0);
-    ImGuiWindowFlags flags = 0;  ///< beside those that all of them have
+    ImGuiWindowFlags flags = 0;  ///< in addition to those of every modal
   };
   Modal(const char* id, bool open, const Theme& theme, const Look& look);
   ~Modal();
@@ -32,10 +32,10 @@ class Modal {
   bool shown_ = false;
 };
 
-/// A question with its answers. Draw its content while shown() and only then.
+/// A modal question with its answers. Draw its content only while shown() is true.
 class Dialog {
  public:
-  /// `id`: unique. wanted: open it now; taken back.
+  /// `id`: unique. wanted: opens it now; reset to false.
   Dialog(const char* id, const std::string& title, bool& wanted, const Theme& theme);
   bool shown() const { return window_.shown(); }
   /// Two buttons at the foot. cancelled is also true after Esc; either closes the dialog.

@@ -9,19 +9,19 @@ struct ImFont;
 
 namespace winslow::gui {
 
-/// A vertical colour bar with the histogram of the values beside the colours, ticks and a title.
+/// A vertical colour bar with ticks, a title and a histogram of the values beside it.
 struct Legend {
   std::string title;
   ColorScale scale;
   std::optional<Histogram> histogram;  ///< over the scale's range, see histogram_over()
   bool more_below = false;  ///< values below the range exist: the lowest tick reads "<= 0"
   bool more_above = false;  ///< values above the range exist: the highest tick reads ">= 3"
-  /// Colour of the inverted elements, which stands below the bar; none: there are none, or they
-  /// have the colours of their values.
+  /// Colour of the inverted elements, shown below the bar; none: there are no such elements, or
+  /// they are coloured by their values.
   std::optional<Rgb> inverted = {};
 };
 
-/// Of these values, with their histogram.
+/// The legend of these values, with their histogram.
 Legend legend_of(const ElementField& field, std::span<const double> values,
                  const ColorScale& scale);
 
@@ -36,18 +36,17 @@ struct LegendStyle {
   ImFont* title_font = nullptr;  ///< null: `font`
 };
 
-/// Round values along a legend's bar, about as many as wanted, and its ends.
+/// About `wanted` round values along a legend's bar, and its ends.
 struct LegendTick {
   double value;
   std::string text;
 };
 std::vector<LegendTick> legend_ticks(const Legend& legend, int wanted);
 
-/// Width that a legend needs, ticks and title included (the current ImGui context's fonts).
+/// Width of a legend with ticks and title, in the fonts of the current ImGui context.
 float legend_width(const Legend& legend, const LegendStyle& style);
 
-/// Where the colours and the histogram of a legend are, in pixels: its values go from bottom to
-/// top.
+/// The box of a legend's colours and histogram, in pixels; values increase from bottom to top.
 struct LegendBars {
   float left, top, right, bottom;
 };

@@ -9,12 +9,12 @@
 
 namespace winslow::gui {
 
-/// Values that a strip of a plot shows, and where in pixels.
+/// The range of values shown in a strip of a plot.
 struct PlotAxis {
   double low = 0, high = 1;  ///< values, or decades if logarithmic
   bool logarithmic = false;
 
-  /// 0 at the bottom of the strip, 1 at its top; what lies beyond is drawn on the edge.
+  /// 0 at the bottom of the strip, 1 at its top; values beyond are clamped.
   double share(double value) const {
     constexpr double floor_value = 1e-16, ceiling_value = 1e16;
     const double v =
@@ -23,7 +23,7 @@ struct PlotAxis {
   }
 };
 
-/// Part of a plot with axes of its own. Strips above one another share the iterations.
+/// A part of a plot with separate axes. Strips above one another share the iterations.
 struct PlotStrip {
   ImVec2 min, max;             ///< of the plotting area, pixels
   double first = 0, last = 1;  ///< iterations at the left and at the right
@@ -36,24 +36,23 @@ struct PlotStrip {
   }
 };
 
-/// Axis around the positive residuals, moves and the tolerance: whole decades.
+/// Axis that contains the positive residuals, moves and the tolerance, in whole decades.
 PlotAxis residual_axis(std::span<const IterationRecord> history, double tolerance,
                        bool with_residual, bool with_move);
-/// From 0 to a little above the most inverted elements.
+/// Axis from 0 to slightly above the largest number of inverted elements.
 PlotAxis inverted_axis(std::span<const IterationRecord> history);
-/// Around 0 and all sines.
+/// Axis that contains 0 and all sines.
 PlotAxis sine_axis(std::span<const IterationRecord> history);
 
-/// Whole decades of a logarithmic axis that are named where there is room for about `wanted` names:
-/// evenly apart, the lowest among them; at least two, however little room there is.
+/// The decades of a logarithmic axis to label, with room for about `wanted` labels: equally spaced,
+/// including the lowest; always at least two.
 std::vector<int> named_decades(const PlotAxis& axis, int wanted);
 
-/// Points left to right with as many of them as can be told apart: of each column of pixels the
-/// first, the lowest, the highest and the last.
+/// Reduces points, ordered from left to right, to distinguishable ones: the first, lowest, highest
+/// and last of each column of pixels.
 std::vector<ImVec2> decimated(const std::vector<ImVec2>& points);
 
-/// Text placed by a point of it: align 0 for left or top, 0.5 for the middle, 1 for right or
-/// bottom.
+/// Draws text with an anchor: align 0 for left or top, 0.5 for the middle, 1 for right or bottom.
 void text_at(ImDrawList& list, const ImVec2& anchor, const ImVec2& align, ImU32 color,
              const std::string& text);
 

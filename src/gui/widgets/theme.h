@@ -8,10 +8,11 @@
 
 struct ImFont;
 
-/// Colours, fonts and sizes of the studio: one place decides how it looks.
+/// Colours, fonts and sizes of the studio, all defined here.
 namespace winslow::gui {
 
-/// The colours of one look. IM_COL32 values; what is laid over the mesh is chosen by the renderer.
+/// The colours of one look. IM_COL32 values; the renderer chooses the colours of overlays on the
+/// mesh.
 struct Palette {
   bool dark = false;
   ImU32 accent = IM_COL32(37, 99, 235, 255);
@@ -36,16 +37,16 @@ struct Palette {
 };
 const Palette& light_palette();
 const Palette& dark_palette();
-/// Of the interface being drawn.
+/// The palette of the interface being drawn.
 const Palette& palette();
 
 /// The channels of a colour, 0 to 1.
 ImVec4 rgba(ImU32 color);
 
-/// A colour with its opacity multiplied by a share of 0 to 1.
+/// A colour with its opacity multiplied by a factor from 0 to 1.
 ImU32 faded(ImU32 color, float share);
 
-/// By code point. Fork Awesome keeps those of Font Awesome 4.
+/// Icons by code point. Fork Awesome uses those of Font Awesome 4.
 enum class Icon {
   open = 0xF07C,
   save = 0xF0C7,
@@ -97,15 +98,15 @@ struct Theme {
   std::string icon(Icon icon) const;
 };
 
-/// Loads fonts into the current ImGui context and sets its style. Falls back to ImGui's own font
-/// where Inter is not installed.
+/// Loads fonts into the current ImGui context and sets its style. Uses ImGui's own font if Inter is
+/// not installed.
 Theme make_theme(float scale, const Palette& colors = light_palette());
-/// Makes a look that of the current ImGui context, and what palette() gives from now on.
+/// Applies a palette to the current ImGui context, and makes palette() return it.
 void use_palette(const Palette& colors);
 
 enum class FontWeight { regular, semibold };
 
-/// The file of Inter; empty where it is not installed (Debian: fonts-inter).
+/// The file of the font Inter; empty if it is not installed (Debian: fonts-inter).
 std::filesystem::path font_file(FontWeight weight);
 
 /// Adds Inter to the current ImGui context's fonts if it is installed (Debian: fonts-inter), else

@@ -11,22 +11,22 @@
 
 namespace winslow::gui {
 
-/// Where the widgets of the last frame are: for scripts that work the studio as a user would.
+/// Positions of the widgets of the last frame, for scripts that operate the studio like a user.
 class WidgetMap {
  public:
   struct Rect {
     ScreenPoint min, max;
     bool enabled = true;
-    bool shown = true;  ///< its centre is in sight: neither scrolled away nor cut off
+    bool shown = true;  ///< its centre is visible, neither scrolled away nor clipped
     bool cut = false;   ///< its label does not fit into it
     ScreenPoint centre() const { return midpoint(min, max); }
   };
   void clear() { rects_.clear(); }
   void note(std::string_view id, const Rect& rect) { rects_[std::string(id)] = rect; }
-  /// Of a widget that is noted: its label does not fit.
+  /// Records that the label of a noted widget does not fit.
   void mark_cut(std::string_view id) { rects_[std::string(id)].cut = true; }
   std::optional<Rect> find(std::string_view id) const;
-  /// The widget that its window is to be scrolled to while frames are drawn; empty: none.
+  /// Sets the widget to scroll to while frames are drawn; empty: none.
   void want(std::string_view id) { wanted_ = id; }
   bool wanted(std::string_view id) const { return !wanted_.empty() && wanted_ == id; }
   const std::map<std::string, Rect, std::less<>>& all() const { return rects_; }
@@ -36,7 +36,7 @@ class WidgetMap {
   std::string wanted_;
 };
 
-/// A Dear ImGui context of our own, fed from InputState alone. Needs a current OpenGL context.
+/// A Dear ImGui context with input only from InputState. Needs a current OpenGL context.
 class UiLayer {
  public:
   explicit UiLayer(float scale);
@@ -44,46 +44,46 @@ class UiLayer {
   UiLayer(const UiLayer&) = delete;
   UiLayer& operator=(const UiLayer&) = delete;
 
-  /// Starts a frame of a framebuffer's size, `seconds` after the last one.
+  /// Starts a frame for a framebuffer of the given size, `seconds` after the last one.
   void begin(const InputState& input, int width, int height, double seconds);
   void end();
-  /// Draws the frame last ended into the bound framebuffer.
+  /// Draws the last ended frame into the bound framebuffer.
   void paint();
 
-  /// Makes this the context that widgets are drawn in. begin() and paint() do it too.
+  /// Makes this context the current one for widgets. begin() and paint() do so, too.
   void make_current();
-  /// Draws a part of the frame last ended: what lies from (x, y) on, as large as given.
+  /// Draws a part of the last ended frame: width x height pixels from (x, y) on.
   void paint_part(float x, float y, float width, float height);
-  /// Takes over colours, and what was folded and scrolled, from another layer.
+  /// Copies colours, folded sections and scroll positions from another layer.
   void resemble(const UiLayer& other);
 
   const Theme& theme() const { return theme_; }
-  /// Pixels per unit of the layout, from the next frame on: between frames only.
+  /// Sets the pixels per unit of the layout from the next frame on; call it only between frames.
   void set_scale(float scale);
-  /// The colours from the next frame on.
+  /// Sets the colours from the next frame on.
   void set_palette(const Palette& colors) { palette_ = &colors; }
-  /// Sections of panels that are folded, by id.
+  /// Folded sections of panels, by id.
   std::set<std::string>& folded() { return folded_; }
   const std::set<std::string>& folded() const { return folded_; }
-  /// The section that its window is to be scrolled to when it is drawn next.
+  /// Sets the section to scroll to when it is drawn next.
   void reveal(std::string_view id) { revealed_ = id; }
-  /// True, once, if it is this one.
+  /// True, once, if `id` is the section set by reveal().
   bool take_reveal(std::string_view id);
-  /// The mouse has been over that item long enough for a word about it. The item has it now.
+  /// True if the mouse has been over that item, which it is now over, long enough for its tooltip.
   bool rested_on(const ScreenBox& item);
   const WidgetMap& widgets() const { return widgets_; }
   WidgetMap& widgets() { return widgets_; }
-  /// The field of that id takes the keyboard when it is drawn next, and the section that it is in
-  /// unfolds ("section/motion" for "motion/rotate"). Forgotten if it is not drawn in a few frames.
+  /// Gives the keyboard focus to the field with that id when it is drawn next, and unfolds its
+  /// section ("section/motion" for "motion/rotate"). Expires after a few frames.
   void want_keyboard(std::string_view field);
   const std::string& keyboard_wanted() const { return keyboard_wanted_; }
   void keyboard_taken() { keyboard_wanted_.clear(); }
-  /// The layer whose context is current: for widgets, which are drawn within a frame.
+  /// The layer with the current context, for widgets drawn within a frame.
   static UiLayer& current();
-  /// The mouse belongs to a window, a widget or a popup rather than to what lies behind.
+  /// True if a window, a widget or a popup uses the mouse, not the scene behind.
   bool wants_mouse() const;
   bool wants_keyboard() const;
-  /// What the mouse cursor should look like (ImGuiMouseCursor).
+  /// Shape of the mouse cursor (ImGuiMouseCursor).
   int cursor() const;
 
  private:
@@ -92,12 +92,12 @@ class UiLayer {
   const Palette* palette_ = &light_palette();
   std::set<std::string> folded_;
   std::string revealed_;
-  std::optional<ScreenBox> item_;  // under the mouse, that has a word to say
-  double rested_ = 0;              // seconds that the mouse has been over it
+  std::optional<ScreenBox> item_;  // item under the mouse that has a tooltip
+  double rested_ = 0;              // seconds for which the mouse has been over it
   bool over_item_ = false;         // in this frame
   WidgetMap widgets_;
   std::string keyboard_wanted_;
-  int keyboard_frames_ = 0;  // for which it is still waited for
+  int keyboard_frames_ = 0;  // remaining frames of this request
   std::unique_ptr<ImGuiRenderer> renderer_;
 };
 
