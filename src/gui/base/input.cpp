@@ -12,7 +12,8 @@ bool either(const std::bitset<512>& keys, int left, int right) {
 
 bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
 
-/// Keys that act on what was typed before them: Enter, Tab, Backspace, arrows, function keys, ...
+/// True for keys that act on previously typed text: Enter, Tab, Backspace, arrows, function keys,
+/// ...
 bool types_nothing(int key) {
   return (key >= GLFW_KEY_ESCAPE && key <= GLFW_KEY_F25) || key == GLFW_KEY_KP_ENTER;
 }
@@ -32,7 +33,7 @@ struct InputQueue::Frame {
   std::bitset<512> key_changed;
   bool leads_elsewhere = false;  // a key went down that types no character
   bool chord = false;            // a key went down with Ctrl, Alt or Super, as for a command
-  // A key went down: what Control and Shift do after that is no part of it.
+  // A key went down: later changes of Control and Shift belong to the next frame.
   bool settled = false;
   Keys keys = Keys::take;
 };
@@ -54,7 +55,7 @@ bool InputQueue::apply(const Event& event, Frame& frame) {
     if (frame.settled || frame.any_button || frame.key_changed[k]) return false;
     if (key->down && frame.keys == Keys::hold) return false;
     const bool chord = state_.control() || state_.alt() || state_.super();
-    // A key that types a character comes with it.
+    // A key that types a character is followed by its text event.
     const bool types = events_.size() > 1 && std::holds_alternative<Text>(events_[1]);
     if (key->down && waits() && !chord && types) return false;
     frame.key_changed[k] = true;
@@ -63,7 +64,7 @@ bool InputQueue::apply(const Event& event, Frame& frame) {
     frame.chord = frame.settled && chord;
     state_.keys[k] = key->down;
   } else if (const auto* text = std::get_if<Text>(&event)) {
-    // What is typed after Tab or Enter is for where these lead.
+    // Text typed after Tab or Enter is for the next field.
     if (frame.leads_elsewhere || waits()) return false;
     // A frame cannot tell whether a character that is a command was typed once or twice.
     if (state_.text.find(text->character) != std::u32string::npos) return false;
@@ -75,9 +76,9 @@ bool InputQueue::apply(const Event& event, Frame& frame) {
 }
 
 InputState InputQueue::next_frame(Keys keys) {
-  // Frames that a field takes until it has the keyboard.
+  // Frames until a field has the keyboard focus.
   constexpr int frames_to_lead = 2;
-  // The same of one in a column that a command opens (Ctrl+G).
+  // The same for a field in a column that a command opens (Ctrl+G).
   constexpr int frames_to_open = 4;
   state_.wheel = Vec2(0, 0);
   state_.text.clear();
@@ -91,7 +92,7 @@ InputState InputQueue::next_frame(Keys keys) {
   frame.keys = keys;
   while (!events_.empty() && apply(events_.front(), frame)) events_.pop_front();
   waiting_ = frame.chord ? frames_to_open : std::max(waiting_ - 1, 0);
-  // A drop of no files stands for a frame in which nothing happens.
+  // A drop without files is an empty frame.
   if (frame.leads_elsewhere && !events_.empty() && std::holds_alternative<Text>(events_.front()))
     events_.insert(events_.begin(), frames_to_lead, Drop{});
   return state_;

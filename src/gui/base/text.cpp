@@ -60,7 +60,7 @@ std::vector<double> nice_ticks(double low, double high, int wanted) {
   const double slack = 1e-9 * span;
   for (double k = std::ceil((low - slack) / step); k * step <= high + slack; ++k) {
     ticks.push_back(k * step);
-    if (ticks.size() > 1000) break;  // a step lost in the round-off of huge limits
+    if (ticks.size() > 1000) break;  // the step is below the round-off of huge limits
   }
   return ticks;
 }

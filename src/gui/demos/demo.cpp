@@ -31,7 +31,7 @@ LayersCommand layers(const Markers& markers, int count, double first, bool contr
   return command;
 }
 
-/// A step that looks: at an area of the plane, or at a place of space.
+/// A step that sets the view: of an area in the plane, or of a place in space.
 DemoStep seen(const char* title, const char* text, const Area& view, const Markers& select = {}) {
   return {.title = title, .text = text, .select = select, .view = view};
 }
@@ -40,7 +40,7 @@ DemoStep seen(const char* title, const char* text, const SpaceLook& view,
   return {.title = title, .text = text, .select = select, .space = view};
 }
 
-/// The step with what is done in it: to the mesh as it is, or as it was opened.
+/// Adds the command of a step: on the present mesh, or on the mesh as opened.
 DemoStep with(DemoStep step, Command command) {
   step.command = std::move(command);
   return step;
@@ -50,7 +50,7 @@ DemoStep afresh(DemoStep step, Command command) {
   return with(std::move(step), std::move(command));
 }
 
-/// A step that smooths, every element to be regular.
+/// A step that smooths towards regular elements.
 DemoStep smoothed(DemoStep step) {
   step.regular = true;
   return with(std::move(step), SmoothCommand{});

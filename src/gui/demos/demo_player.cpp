@@ -6,7 +6,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// A card has to be read and the mesh looked at before the next step comes by itself.
+/// Time to read the card and look at the mesh before the next automatic step.
 constexpr double seconds_per_step = 6;
 
 }  // namespace
@@ -60,7 +60,7 @@ void DemoPlayer::begin_step(const Session& session, ActionQueue& actions) {
   if (!step.command) return;
   if (step.afresh) actions.emplace_back(action::GoToStep{0});
   Command command = *step.command;
-  // As the panels say: the user may be trying other settings.
+  // Use the options of the panels: the user may be trying other settings.
   if (SmoothOptions* smooth = winslow::smooth_options(command)) {
     *smooth = session.solver_settings().smooth_options();
     if (step.regular) smooth->targets = TargetBlend::regular();
@@ -84,7 +84,7 @@ void DemoPlayer::update(const Session& session, double seconds, ActionQueue& act
       generation_ = session.generation();
       begin_step(session, actions);
     } else if (opening_seen_ && !session.files().loading()) {
-      end();  // the mesh could not be read; the session has said so
+      end();  // the mesh could not be read; the session has reported it
     }
     return;
   }

@@ -80,7 +80,7 @@ std::optional<BrowsedFolder::Completion> BrowsedFolder::complete(const std::stri
     while (same < std::min(common.size(), name.size()) && common[same] == name[same]) ++same;
     common.resize(same);
   }
-  if (common.size() < text.size()) return std::nullopt;  // they differ in upper and lower case
+  if (common.size() < text.size()) return std::nullopt;  // the names differ in case
   return Completion{common, names.size() == 1};
 }
 

@@ -11,7 +11,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// Formats that are there; those that can be written, of such a mesh, or all.
+/// The available formats: those that can write such a mesh, or all.
 std::vector<FileKind> mesh_kinds(std::optional<MeshKind> to_write) {
   std::vector<FileKind> kinds{{"All meshes", {}}};
   for (const io::MeshFormat* format : io::mesh_formats()) {

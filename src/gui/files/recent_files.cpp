@@ -65,7 +65,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Looked up once: none of these comes and goes while the studio runs.
+/// Looked up once, since these do not change while the studio runs.
 const std::vector<Place>& fixed_places() {
   static const std::vector<Place> all = [] {
     std::error_code ignored;
@@ -91,7 +91,7 @@ std::string end_of(const fs::path& folder, std::size_t parts) {
   return text.empty() ? folder.string() : text;
 }
 
-/// As much of the end of each path as tells it from the others.
+/// The shortest ends of the paths that distinguish them from each other.
 std::vector<std::string> distinct_names(const std::vector<fs::path>& folders) {
   std::vector<std::string> names;
   constexpr std::size_t most = 12;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double seconds_before = 0.4;
 
-/// The bodies with some room around them; the whole mesh where they fill much of it.
+/// The bodies with a margin; the whole mesh if they fill much of it.
 Bounds interesting(const Mesh& mesh) {
   Bounds all = bounds(mesh);
   std::vector<Index> nodes;
@@ -37,8 +37,8 @@ Bounds interesting(const Mesh& mesh) {
   return {bodies.min - room, bodies.max + room};
 }
 
-/// Across the longest extent of the bodies, where sections say most. Returns the axis that is up
-/// on screen.
+/// Cuts across the longest extent of the bodies, where sections are most instructive. Returns the
+/// axis that points up on screen.
 int choose_cut(const Mesh& mesh, const VolumeBoundary& boundary, VolumeLook& look) {
   if (!boundary.encloses) return 2;
   const SpacePoints x(mesh.coordinates);
@@ -53,7 +53,7 @@ int choose_cut(const Mesh& mesh, const VolumeBoundary& boundary, VolumeLook& loo
   return axis == 2 ? 1 : 2;
 }
 
-/// Cut through the bodies, where there are any.
+/// Draws the mesh with a cut through the bodies, if any.
 Image draw_volume(const Mesh& mesh) {
   const VolumeBoundary boundary = find_boundary(mesh);
   VolumeLook look;
@@ -101,7 +101,7 @@ std::vector<Thumbnails::Loaded> Thumbnails::read() {
       all.push_back(
           {bundled.id, io::read_mesh(assets_folder() / "coarse" / bundled.file).mesh, {}});
     } catch (const std::exception&) {
-      // A card without a picture is no reason to complain: opening the mesh will say what is wrong.
+      // A missing picture is no error; opening the mesh will report what is wrong.
       continue;
     }
   }
@@ -167,7 +167,7 @@ std::optional<Mesh> mesh_in(const std::filesystem::path& file) {
   try {
     return io::read_mesh(file).mesh;
   } catch (const std::exception&) {
-    return std::nullopt;  // opening it will say what is wrong
+    return std::nullopt;  // opening it will report the error
   }
 }
 

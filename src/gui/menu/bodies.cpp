@@ -12,7 +12,7 @@ std::string names_of(const PanelContext& context, const std::vector<Index>& mark
 
 namespace {
 
-/// Of a volume mesh: markers none of whose faces enclose others, each by itself.
+/// Bodies of a volume mesh: each marker with no face that encloses other markers.
 std::vector<NamedBody> space_bodies(const PanelContext& context) {
   const VolumeBoundary& boundary = *context.session.document()->boundary();
   const std::size_t count = context.topology()->markers().size();

@@ -8,7 +8,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// As many digits as tell places apart on a mesh far from the origin.
+/// Coordinates with enough digits for a mesh far from the origin.
 std::string coordinates_text(std::span<const double> point) {
   std::string text;
   for (const double x : point) text += (text.empty() ? "" : ", ") + formatted(x, "%.10g");
@@ -20,12 +20,12 @@ UserCommand copying(std::string id, std::string label, const std::string& text) 
                emits(action::CopyText{text}));
 }
 
-/// Goes to an item. what: of the id, and as a sentence of its own names it.
+/// A command that goes to an item. what: prefix of the id.
 UserCommand centring(const std::string& what, const std::string& tooltip, const MeshItem& item) {
   return entry(what + "/go_to", "Centre it", {}, tooltip, emits(action::GoTo{item}));
 }
 
-/// Says what is known of an item, in the column on the right; the view stays.
+/// A command that describes an item in the right column without moving the view.
 UserCommand describing(const std::string& what, const MeshItem& item) {
   return entry(what + "/describe", "Say what is known of it", {},
                "Coordinates, neighbours and quality, in the panel \"Go to\".",
@@ -35,7 +35,7 @@ UserCommand describing(const std::string& what, const MeshItem& item) {
                });
 }
 
-/// Selects a body, then does more with it.
+/// Selects a body, then runs `then`.
 UserCommand::Run select_and(const std::vector<Index>& markers, UserCommand::Run then) {
   return [markers, then = std::move(then)](const PanelContext& c) {
     c.emit(action::SelectMarkers{markers, false});
@@ -46,7 +46,7 @@ UserCommand::Run select_and_edit(const std::vector<Index>& markers, const char* 
   return select_and(markers, emits(action::EditField{field}));
 }
 
-/// Whether something was on when the menu came up.
+/// A test with the state at the time the menu was opened.
 UserCommand::Test is(bool on) {
   return [on](const PanelContext&) { return on; };
 }
@@ -85,7 +85,7 @@ std::vector<UserCommand> moving(const std::vector<Index>& markers) {
   };
 }
 
-/// What a marker can be periodic with: nothing, or another marker.
+/// Possible periodic partners of a marker, including none.
 std::vector<UserCommand> partners_of(const PanelContext& context, Index marker) {
   const auto& markers = context.topology()->markers();
   const std::string& own = markers[at(marker)].name;
@@ -145,7 +145,7 @@ ContextPart of_body(const PanelContext& context, const std::vector<Index>& marke
   return part;
 }
 
-/// What a node is told to do instead of what was found of it, where that is shown.
+/// Commands that override the role of a node, if roles are shown.
 std::vector<UserCommand> overrides_of(const PanelContext& context, Index node) {
   // All nodes of a surface mesh slide.
   const bool boundary =
@@ -189,7 +189,7 @@ std::vector<UserCommand> overrides_of(const PanelContext& context, Index node) {
                  {.blocked = while_busy}))};
 }
 
-/// What is for meshes in space goes beside what is for all.
+/// Adds a command if it is for meshes of the open kind.
 void add_for(MeshKinds kinds, UserCommand command, const PanelContext& context,
              std::vector<UserCommand>& commands) {
   if (kinds.contains(context.session.kind())) commands.push_back(std::move(command));
@@ -232,7 +232,7 @@ ContextPart of_element(const PanelContext& context, Index element) {
   const auto isolate = [metric, value, high_is_bad, dimension](ViewOptions& view) {
     view.color = ElementField(metric, dimension);
     view.isolation.on = true;
-    // This element is to be among them.
+    // Include this element.
     view.isolation.threshold = std::nextafter(value, high_is_bad ? -1e300 : 1e300);
     view.isolation.above = high_is_bad;
   };
@@ -260,7 +260,7 @@ ContextPart of_face(const PanelContext& context, Index face) {
            copying("face/copy_id", "Copy face number", std::to_string(face))}};
 }
 
-/// What a place of a mesh in space is good for.
+/// Commands at a place of a mesh in space.
 std::vector<UserCommand> place_commands(const std::array<Vec3, 2>& place) {
   const auto& [point, normal] = place;
   return {entry("place/cut_along", "Cut along this face", {},

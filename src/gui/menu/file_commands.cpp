@@ -7,7 +7,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// Where it came from; a mesh that belongs to the program goes elsewhere.
+/// Saves to the file of the mesh; for a mesh of the program asks for another path.
 void save(const PanelContext& context) {
   const Document* document = context.session.document();
   if (document && bundled(document->path()))
@@ -16,7 +16,7 @@ void save(const PanelContext& context) {
     context.emit(action::SaveMesh{});
 }
 
-/// What the mesh formats are called, so that a format's name finds what reads and writes it.
+/// Names of the mesh formats, as search terms of the commands that read and write them.
 std::string format_names(FilePurpose purpose) {
   std::string names;
   for (const FileKind& kind : dialog_of(purpose).kinds) {
@@ -175,7 +175,7 @@ const History* history(const PanelContext& context) {
 
 bool busy(const PanelContext& context) { return context.session.in_motion(); }
 
-/// What was told to a node last, at this mesh.
+/// The last override of a node of this mesh, which can be undone.
 std::string undoable_override(const PanelContext& context) {
   const Document* document = context.session.document();
   return document && !busy(context)

@@ -13,8 +13,7 @@ void edit_translation(const PanelContext& context) {
   context.emit(action::EditField{translation_field(context)});
 }
 
-/// What to do with one body after it is selected, for each body and marker of the mesh. then: null:
-/// no more.
+/// Submenu items that select a body or marker of the mesh and then run `then`; null: only select.
 UserCommand::Items for_each_body(const char* id, const char* tooltip,
                                  const UserCommand::Run& then) {
   return [=](const PanelContext& context) {
@@ -30,7 +29,7 @@ UserCommand::Items for_each_body(const char* id, const char* tooltip,
   };
 }
 
-/// Where a selection of a plane mesh turns.
+/// Commands that set the pivot in a plane mesh.
 std::vector<UserCommand> plane_pivots() {
   constexpr std::array<std::pair<PivotPlace, const char*>, 4> places{
       {{PivotPlace::centre, "Centre"},
@@ -47,7 +46,7 @@ std::vector<UserCommand> plane_pivots() {
   return items;
 }
 
-/// The same in space: its centre, or what the next click picks.
+/// The same in space: the centre, or an item picked by the next click.
 std::vector<UserCommand> space_pivots() {
   struct Pick {
     PivotFrom from;

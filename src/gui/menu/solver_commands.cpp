@@ -55,7 +55,7 @@ std::vector<LayerWall> wall_of(const PanelContext& context, const std::vector<In
   return {wall};
 }
 
-/// The selected markers, or else all on which quadrilaterals stand.
+/// The selected markers, or else all markers with adjacent quadrilaterals.
 std::vector<Index> walls_meant(const PanelContext& context) {
   if (!context.session.selection().empty()) return context.session.selection().markers();
   std::vector<Index> walls;

@@ -72,8 +72,8 @@ std::string_view group_label(CommandGroup group) {
 
 namespace {
 
-/// Why something that is for such meshes cannot be done to the one that is open, as a sentence;
-/// empty: it can, or none is open.
+/// Why a command for such meshes is unavailable for the open one, a sentence; empty: it is
+/// available, or no mesh is open.
 std::string why_not_served(MeshKinds serves, const PanelContext& context) {
   const MeshKind kind = context.session.kind();
   if (!context.session.document() || serves.contains(kind)) return {};
@@ -174,7 +174,7 @@ bool pressed(const Chord& chord) {
 
 namespace {
 
-/// In a drag digits are numbers, and X, Y, Z axes.
+/// During a drag, digits enter numbers, and X, Y, Z choose axes.
 bool means_drag(const Chord& chord) {
   if (chord.control || chord.alt) return false;
   return (chord.key >= GLFW_KEY_0 && chord.key <= GLFW_KEY_9) ||
@@ -197,14 +197,14 @@ void handle_shortcuts(const PanelContext& context, bool dragging) {
 
 namespace {
 
-/// How a word was found, the best last.
+/// How a word was found, in ascending order of rank.
 enum class Found { no, word_begins, word, label_begins, label };
 
 std::vector<std::string> words_of(std::string_view text) {
   std::vector<std::string> words(1);
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    // Bytes of UTF-8 beyond ASCII belong to words.
+    // Non-ASCII UTF-8 bytes belong to words.
     if (std::isalnum(byte) != 0 || byte >= 0x80)
       words.back() += static_cast<char>(std::tolower(byte));
     else if (!words.back().empty())
@@ -234,7 +234,7 @@ Found find(std::string_view wanted, const std::vector<std::string>& label,
   if (has(label, wanted)) return Found::label;
   if (has_beginning(label, wanted)) return Found::label_begins;
   if (has(words, wanted)) return Found::word;
-  // Two letters begin something in every list of words.
+  // One or two letters would match some word in every list.
   return wanted.size() > 2 && has_beginning(words, wanted) ? Found::word_begins : Found::no;
 }
 
@@ -272,7 +272,7 @@ std::optional<int> fuzzy_score(std::string_view query, std::string_view text) {
     if (c != ' ') wanted += lower(c);
   if (wanted.empty()) return 0;
   const std::size_t n = text.size();
-  // best[j]: of the letters so far, the last of them matched at j.
+  // best[j]: best score of the letters so far, with the last of them matched at j.
   std::vector<int> best(n, none);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     std::vector<int> next(n, none);
@@ -294,7 +294,7 @@ std::optional<int> fuzzy_score(std::string_view query, std::string_view text) {
   }
   const int score = n == 0 ? none : *std::max_element(best.begin(), best.end());
   if (score == none) return std::nullopt;
-  // Of two that fit alike, the shorter: more of it is what was typed.
+  // Of two equal matches prefer the shorter text, of which the query covers more.
   return 64 * score - static_cast<int>(std::min<std::size_t>(n, 63));
 }
 

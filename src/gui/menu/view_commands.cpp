@@ -6,20 +6,20 @@ namespace winslow::gui {
 
 namespace {
 
-/// Changes the view's options.
+/// UserCommand::run that changes the view's options.
 template <class Change>
 UserCommand::Run changes(Change how) {
   return [how](const PanelContext& c) { c.edit_view(how); };
 }
 
-/// A command that turns a part of the view on and off.
+/// A command that switches a part of the view on or off.
 UserCommand toggle(bool ViewOptions::*part, UserCommand command) {
   command.checked = [part](const PanelContext& c) { return c.view.*part; };
   command.run = changes([part](ViewOptions& view) { view.*part = !(view.*part); });
   return command;
 }
 
-/// The same of how space is seen.
+/// The same for options of meshes in space.
 UserCommand space_toggle(bool SpaceOptions::*part, UserCommand command) {
   command.blocked = without_mesh;
   command.checked = [part](const PanelContext& c) { return c.view.space.*part; };
@@ -41,7 +41,7 @@ UserCommand tab(SideTab which, UserCommand command) {
   return command;
 }
 
-/// A command that compares with the state before in one way, or no longer.
+/// A command that switches one kind of comparison with the earlier state on or off.
 UserCommand compare(Comparison how, UserCommand command) {
   command.blocked = without_mesh;
   command.checked = [how](const PanelContext& c) { return c.view.comparison == how; };
@@ -82,7 +82,7 @@ std::vector<UserCommand> fit_commands() {
   };
 }
 
-/// Commands that look at another place.
+/// Commands that move the view.
 std::vector<UserCommand> place_commands() {
   return {
       entry("box_zoom", "Zoom to a box", {key('Z')},

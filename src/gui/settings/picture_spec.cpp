@@ -15,7 +15,7 @@ constexpr double most_pixels = 268435456;  // 1 GiB of RGBA
 }  // namespace
 
 std::array<int, 2> picture_size(const PictureSpec& spec, double width, double height) {
-  // Compared as they are: a number too large for an int must not become one.
+  // Compared as double, since a large number must not be converted to int.
   const double w = spec.size ? (*spec.size)[0] : std::round(spec.scale * width);
   const double h = spec.size ? (*spec.size)[1] : std::round(spec.scale * height);
   const auto fits = [](double side) {

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-// A splitter under the mouse changes the layout in every frame.
+// Dragging a splitter changes the layout in every frame.
 constexpr double rest_seconds = 0.4;
 
 template <class Choice, std::size_t count>
@@ -47,7 +47,7 @@ constexpr Names<LegendPlace, 6> legend_places{{{LegendPlace::right, "right"},
                                                {LegendPlace::bottom_left, "bottom_left"},
                                                {LegendPlace::top_left, "top_left"}}};
 
-/// Visits every value of the view that is kept, with its key and, for numbers, its limits.
+/// Visits every saved value of the view, with its key and, for numbers, its limits.
 template <class View, class Visitor>
 void visit(View& view, Visitor&& visitor) {
   visitor.field("color", view.color);
@@ -117,16 +117,16 @@ struct Writer {
   }
 };
 
-/// Reads an object; what is missing or makes no sense leaves a value as it is.
+/// Reads an object; missing or invalid entries leave a value unchanged.
 struct Reader {
   const json& object;
 
-  /// Null unless there is such a value of such a kind.
+  /// The entry with this key if it has this type, otherwise null.
   const json* find(const char* key, bool (json::*is)() const noexcept) const {
     const auto it = object.is_object() ? object.find(key) : object.end();
     return it != object.end() && ((*it).*is)() ? &*it : nullptr;
   }
-  /// Empty unless there is an object.
+  /// Reader of a nested object; empty if there is none.
   Reader within(const char* key) const {
     static const json none = json::object();
     const json* found = find(key, &json::is_object);
@@ -141,7 +141,7 @@ struct Reader {
     const json* found = find(key, &json::is_string);
     return found ? std::optional(found->get<std::string>()) : std::nullopt;
   }
-  /// The texts of a list, without what is none; none: there is no list.
+  /// The texts in a list, without other entries; none: there is no list.
   std::optional<std::vector<std::string>> texts(const char* key) const {
     const json* found = find(key, &json::is_array);
     if (!found) return std::nullopt;
@@ -150,7 +150,7 @@ struct Reader {
       if (text.is_string()) all.push_back(text.get<std::string>());
     return all;
   }
-  /// A list of just so many numbers.
+  /// A list of exactly `count` numbers.
   template <std::size_t count>
   std::optional<std::array<double, count>> numbers(const char* key) const {
     const json* found = find(key, &json::is_array);
@@ -185,7 +185,7 @@ struct Reader {
     if (find(key, &json::is_null)) value.reset();
     const auto read = text(key);
     if (!read) return;
-    // A field of another version: the one that a new studio shows is as good as any.
+    // A field unknown to this version falls back to the default.
     for (const MeshKind kind : {MeshKind::plane, MeshKind::surface}) {
       const std::vector<ElementField>& all = all_element_fields(kind);
       const auto same = std::ranges::find_if(
@@ -228,7 +228,7 @@ struct Reader {
 ViewOptions read_view(const Reader& object) {
   ViewOptions view;
   visit(view, object);
-  // Between 0, the screen's own, and a scale at which nothing could be read any more.
+  // Scales below 0.5 would be illegible; 0 means that of the screen.
   if (view.scale < 0.5) view.scale = 0;
   return view;
 }
@@ -304,7 +304,7 @@ json write_kept_views(const std::vector<KeptView>& views) {
   return list;
 }
 
-/// Writes and says what went wrong.
+/// Writes a file and returns the error; empty: none.
 std::string write_file(const std::filesystem::path& path, const std::string& text) {
   try {
     std::error_code failed;
@@ -333,7 +333,7 @@ std::string write_settings(const Settings& settings, const std::string& previous
   layout["window"] = settings.window;
   root["recent"] = settings.recent;
   root["views"] = write_kept_views(settings.views);
-  // Names of files may hold any bytes.
+  // File names may contain any bytes.
   return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
@@ -386,7 +386,7 @@ void SettingsFile::read() {
     initial_ = read_settings(text.str());
     text_ = text.str();
   } catch (const std::exception& error) {
-    // Put aside, so that nothing that its owner wrote there is lost when the file is written anew.
+    // Rename the damaged file, so that its content is not lost when the file is rewritten.
     std::filesystem::path aside = path_;
     aside += ".damaged";
     std::filesystem::rename(path_, aside, ignored);

@@ -31,9 +31,9 @@ float InterfaceScale::of(double chosen) const {
   return fitting(chosen > 0 ? chosen : static_cast<double>(screen_));
 }
 
-/// With less the buttons of a prompt would lie outside the window.
+/// At a larger scale the buttons of a prompt would lie outside the window.
 float InterfaceScale::fitting(double wanted) const {
-  // Of a layout in which tables and labels have room; a window can be made hardly smaller.
+  // Layout size with room for tables and labels; windows can hardly be smaller.
   constexpr double least_width = 720, least_height = 450;
   const double fits = std::min(width_ / least_width, height_ / least_height);
   if (wanted <= fits) return static_cast<float>(wanted);

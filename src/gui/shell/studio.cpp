@@ -14,12 +14,12 @@ namespace winslow::gui {
 
 namespace {
 
-// Tooltips come after a rest of the mouse, so frames go on for a while after the last event.
+// Tooltips appear after a delay, so frames continue for a while after the last event.
 constexpr double settle_seconds = 0.6;
 constexpr double busy_wait = 1.0 / 60;
 constexpr double idle_wait = 0.5;
 
-/// Runs frames until the window is closed; draws only where there is something new to see.
+/// Runs frames until the window is closed; draws only if something has changed.
 class StudioLoop {
  public:
   StudioLoop(Window& window, Workbench& workbench) : window_(window), workbench_(workbench) {}
@@ -60,7 +60,7 @@ class StudioLoop {
   double last_frame_ = 0;
 };
 
-/// Where the desktop's conventions put a program's own files (XDG Base Directory Specification).
+/// The folder for the program's own files (XDG Base Directory Specification).
 std::filesystem::path profile_folder() {
   const auto variable = [](const char* name) -> std::filesystem::path {
     const char* value = std::getenv(name);
@@ -73,7 +73,7 @@ std::filesystem::path profile_folder() {
   return home.is_absolute() ? home / ".config" / "winslow" : std::filesystem::path();
 }
 
-/// As asked for, or as it was, or as designed.
+/// The requested size, or that of the last run, or the default.
 std::array<int, 2> window_size(const StudioOptions& options, const Settings& settings) {
   if (options.width > 0 && options.height > 0) return {options.width, options.height};
   if (settings.window[0] > 0) return settings.window;
@@ -94,8 +94,7 @@ void run_studio(const StudioOptions& options) {
 
 void return_freed_memory() {
 #if defined(__GLIBC__)
-  // Saying a threshold also keeps glibc from raising it by itself, which it does to the size of
-  // whatever is freed.
+  // A fixed threshold also keeps glibc from raising it to the size of freed arrays.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
   mallopt(M_TRIM_THRESHOLD, 2 << 20);
 #endif

@@ -71,7 +71,7 @@ Window::Window(int width, int height, const std::string& title) : title_(title) 
     glfwTerminate();
     fail("Cannot open a window with OpenGL 3.3");
   }
-  // Below this the panels at the sides have no room for their columns.
+  // In a smaller window the side panels do not fit.
   glfwSetWindowSizeLimits(window_, 760, 480, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
@@ -100,7 +100,7 @@ void Window::connect_events() {
     int window_width = 1;
     int window_height = 1;
     glfwGetWindowSize(w, &window_width, &window_height);
-    // On some systems windows are measured in other units than their framebuffers.
+    // On some systems the units of windows and framebuffers differ.
     const double ratio = static_cast<double>(get(w)->width()) / std::max(window_width, 1);
     get(w)->input_.move(ScreenPoint(x * ratio, y * ratio));
   });

@@ -24,7 +24,7 @@ bool disabled_now() {
 
 bool in_sight(const ImVec2& min, const ImVec2& max) {
   const ImGuiWindow* window = ImGui::GetCurrentContext()->CurrentWindow;
-  // What is drawn over the mesh belongs to no window of ours, and is not cut off by one.
+  // Items drawn over the mesh are in ImGui's fallback window, which does not clip them.
   if (window->IsFallbackWindow) return true;
   const ImVec2 centre((min.x + max.x) / 2, (min.y + max.y) / 2);
   if (window->ClipRect.Contains(centre)) return true;
@@ -36,7 +36,7 @@ bool in_sight(const ImVec2& min, const ImVec2& max) {
   return true;
 }
 
-/// Call it before a field is drawn: it takes the keyboard if that is wanted of it.
+/// Gives a field the keyboard focus if requested. Call it before the field is drawn.
 void take_keyboard(std::string_view id) {
   UiLayer& layer = UiLayer::current();
   if (layer.keyboard_wanted() != id || disabled_now()) return;
@@ -53,7 +53,7 @@ bool holds_wanted_field(std::string_view section) {
          wanted.starts_with(std::string(section.substr(prefix.size())) + '/');
 }
 
-/// Beside a column, so that the rows above and below stay in sight; below a wide bar.
+/// Position of a tooltip: beside a column, so that adjacent rows remain visible; below a wide bar.
 ImVec2 tooltip_place(const ImVec2& min, const ImVec2& max, const ImVec2& size) {
   const ImGuiWindow* window = ImGui::GetCurrentContext()->CurrentWindow;
   while ((window->Flags & ImGuiWindowFlags_ChildWindow) && window->ParentWindow)
@@ -75,7 +75,7 @@ ImVec2 tooltip_place(const ImVec2& min, const ImVec2& max, const ImVec2& size) {
 }
 
 int push_button_style(ButtonStyle style, bool enabled) {
-  // What cannot be pressed is grey, whatever it would do.
+  // Disabled buttons are grey in every style.
   if (!enabled && style != ButtonStyle::flat) style = ButtonStyle::normal;
   if (style == ButtonStyle::normal) return 0;
   if (style == ButtonStyle::flat) {
@@ -163,7 +163,7 @@ void row(const std::string& label, std::string_view tip, float label_share) {
   ImGui::TextUnformatted(label.c_str());
   ImGui::PopStyleColor();
   tooltip(tip);
-  // A label that is longer than its column pushes the control on.
+  // A label wider than its column moves the control to the right.
   const float end =
       ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetStyle().ItemInnerSpacing.x;
   ImGui::SameLine(std::max(start + width * label_share, label.empty() ? 0 : end));
@@ -189,7 +189,7 @@ bool number(std::string_view id, int& value, std::string_view tip) {
 float letter_width() { return ImGui::CalcTextSize("x").x + ImGui::GetStyle().ItemInnerSpacing.x; }
 
 bool vector_field(const VectorField& field, Vec2& value, bool* enter) {
-  // Six digits do not tell places apart on a mesh far from the origin.
+  // Six digits are too few on a mesh far from the origin.
   const char* format = value.cwiseAbs().maxCoeff() < 1e5 ? "%.6g" : "%.12g";
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float letter = letter_width();
@@ -214,7 +214,7 @@ bool vector_field(const VectorField& field, Vec2& value, bool* enter) {
 
 namespace {
 
-/// A letter at the right end of the field before, where the number in it leaves room.
+/// Draws a letter at the right end of the previous field, if its number leaves room.
 void letter_within(const char* letter, double value, const char* format) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), format, value);
@@ -244,7 +244,7 @@ bool space_vector_field(const SpaceVectorField& field, Vec3& value, bool* enter)
       value[axis] = component;
       changed = true;
     }
-    // The letter stands in the field: beside it there would be no room for digits.
+    // The letter is inside the field, since beside it there would be no room for digits.
     letter_within(letter, component, format);
     if (enter && entered()) *enter = true;
   }
@@ -382,11 +382,11 @@ std::string elided(const std::string& text, float width) {
   return "...";
 }
 
-/// Widgets that choose one of several things: lists and tabs.
+/// Widgets that choose one of several items: lists and tabs.
 
 namespace {
 
-/// The item of an open list that the arrow keys have come to, and whether Enter takes it.
+/// The item of an open list reached with the arrow keys, and whether Enter chooses it.
 struct ListKeys {
   std::size_t at = 0;
   bool moved = false, taken = false;
@@ -415,14 +415,14 @@ float widest(const std::vector<std::string>& items) {
   return width;
 }
 
-/// Of a list that fills the rest of a row: where the longest of its items has no room beside the
-/// label, it takes a line of its own below it. Returns the room for an item.
+/// Starts a list that fills the rest of a row, or a separate line below the label if its longest
+/// item does not fit. Returns the width for an item.
 float room_for_items(float wanted) {
   const float frame = ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight();
   const auto& next = ImGui::GetCurrentContext()->NextItemData;
   const bool fills = (next.Flags & ImGuiNextItemDataFlags_HasWidth) != 0 && next.Width < 0;
   if (!fills) return ImGui::CalcItemWidth() - frame;
-  // A window that becomes as wide as what it holds begins without a width.
+  // An auto-sized window initially has no width.
   const auto* window = ImGui::GetCurrentContext()->CurrentWindow;
   const bool grows = (window->Flags & ImGuiWindowFlags_AlwaysAutoResize) != 0;
   const bool beside = !grows && ImGui::GetCursorPosX() > ImGui::GetCursorStartPos().x + 1;
@@ -440,7 +440,7 @@ bool combo(std::string_view id, const std::vector<std::string>& items, std::size
   const std::string preview = chosen < items.size() ? items[chosen] : std::string();
   const float wanted = widest(items);
   const float room = room_for_items(wanted);
-  // As many items as there are formats are seen without scrolling.
+  // Large enough to show all formats without scrolling.
   const bool open = ImGui::BeginCombo(("##" + std::string(id)).c_str(), preview.c_str(),
                                       ImGuiComboFlags_HeightLarge);
   note_label(id, wanted, room);
@@ -451,7 +451,7 @@ bool combo(std::string_view id, const std::vector<std::string>& items, std::size
   const std::size_t before = chosen;
   const ListKeys keys = follow_keys(items.size(), chosen);
   for (std::size_t i = 0; i < items.size(); ++i) {
-    // What the keys have come to is lit; what the mouse is over lights up by itself.
+    // Highlight the item reached with the keys; ImGui highlights the item under the mouse.
     if (ImGui::Selectable(items[i].c_str(), i == keys.at)) chosen = i;
     note(std::string(id) + "/" + items[i]);
     if (i == before && ImGui::IsWindowAppearing()) ImGui::SetItemDefaultFocus();
@@ -512,7 +512,7 @@ bool tabs(std::string_view id, const std::vector<Tab>& items, std::size_t& chose
 
 std::string with_line_breaks(std::string_view text, float width) {
   std::string broken;
-  std::size_t line = 0;  // where it begins in `broken`
+  std::size_t line = 0;  // start of the line in `broken`
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
     const std::string word(text.substr(at, end - at));

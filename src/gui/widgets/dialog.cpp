@@ -56,7 +56,7 @@ Dialog::Answer Dialog::buttons(const std::string& id, const std::string& accept,
   const float width = std::min(theme_.px(130), (width_ - space) / 2);
   ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 2 * width - space);
   Answer answer;
-  // Esc in a field takes back what was typed, and no more.
+  // Esc in a field only reverts the field.
   const bool escape = ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false) && !ImGui::GetIO().WantTextInput;
   answer.accepted = button(id + "/accept", accept, {"", ButtonStyle::primary, enabled, width});
   ImGui::SameLine();

@@ -42,7 +42,7 @@ float title_height(const Legend& legend, const LegendStyle& style) {
   return legend.title.empty() ? 0.0f : 1.7f * style.font_size;
 }
 
-/// Of the line below the bar that names the colour of inverted elements.
+/// Height of the line below the bar for the colour of inverted elements.
 float inverted_height(const Legend& legend, const LegendStyle& style) {
   return legend.inverted ? 2.0f * style.font_size : 0.0f;
 }
@@ -61,7 +61,7 @@ struct Box {
   float height() const { return bottom - top; }
 };
 
-/// The colours, one strip a pixel high or one a band, low values at the bottom.
+/// Draws the colours, one strip per pixel row or per band, low values at the bottom.
 void draw_bar(ImDrawList& list, const Box& box, const ColorScale& scale, float alpha) {
   const int strips = scale.strips(static_cast<int>(box.height()));
   for (int k = 0; k < strips; ++k) {
@@ -74,8 +74,8 @@ void draw_bar(ImDrawList& list, const Box& box, const ColorScale& scale, float a
   }
 }
 
-/// Bars in the colour of their values on a pale ground of the same; lengths by the square root of
-/// the counts, so that the few bad elements are seen beside the many good ones.
+/// Draws bars in the colours of their values on a paler background. Lengths are proportional to the
+/// square root of the counts, so that a few bad elements are visible beside many good ones.
 void draw_histogram(ImDrawList& list, const Box& box, const Legend& legend) {
   const auto& counts = legend.histogram->counts;
   if (counts.empty()) return;
@@ -92,7 +92,7 @@ void draw_histogram(ImDrawList& list, const Box& box, const Legend& legend) {
     const double value = legend.scale.value_at((static_cast<double>(k) + 0.5) / n);
     list.AddRectFilled({box.left, y0 + 0.5f}, {box.left + length, y1 - 0.5f},
                        to_color(legend.scale.color(value)));
-    // An edge, for colours close to that of the ground.
+    // An outline, for colours similar to the background.
     list.AddRect({box.left, y0 + 0.5f}, {box.left + length, y1 - 0.5f},
                  IM_COL32(110, 115, 125, 150));
   }
@@ -112,7 +112,7 @@ void draw_ticks(ImDrawList& list, const Box& box, const Legend& legend, const Le
   }
 }
 
-/// A swatch and a word, below the bar and its lowest label.
+/// Draws a swatch and a word, below the bar and its lowest label.
 void draw_inverted(ImDrawList& list, float x, float bottom, const Legend& legend,
                    const LegendStyle& style) {
   const ImVec2 size = text_size(font_of(style), style.font_size, inverted_text);
@@ -148,7 +148,7 @@ std::vector<LegendTick> legend_ticks(const Legend& legend, int wanted) {
   std::vector<LegendTick> ticks;
   for (const double v : values)
     ticks.push_back({v, decades ? format_power(v) : format_tick(v, step)});
-  // Further from its tick than this, the label of an end does not touch the next one.
+  // At this distance the label of an end does not touch that of the next tick.
   const double apart =
       values.size() > 1 ? scale.share(values[1]) - scale.share(values[0]) : 1.0 / wanted;
   const double clear = 0.6 * std::min(apart, 1.0 / wanted);
@@ -164,7 +164,7 @@ std::vector<LegendTick> legend_ticks(const Legend& legend, int wanted) {
 }
 
 float legend_width(const Legend& legend, const LegendStyle& style) {
-  // Of whichever ticks the height will have room for.
+  // The widest labels for any number of ticks that may fit the height.
   float ticks = 0;
   for (int wanted = fewest_ticks; wanted <= most_ticks; ++wanted) {
     for (const LegendTick& tick : legend_ticks(legend, wanted)) {

@@ -87,7 +87,7 @@ namespace winslow::gui::ui {
 
 namespace {
 
-/// Around all heights, by their ratios: the first layer of many is a thousandth of the last.
+/// Logarithmic axis that contains all heights: the first may be a thousandth of the last.
 std::optional<PlotAxis> axis_of(const LayerHeights& heights) {
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
   for (const auto* values : {&heights.wanted, &heights.realised})
@@ -102,7 +102,7 @@ std::optional<PlotAxis> axis_of(const LayerHeights& heights) {
   return PlotAxis{axis.low - room, axis.high + room, true};
 }
 
-/// Named lines at powers of ten, or at the ends of an axis that has not two of them.
+/// Draws labelled lines at powers of ten, or at the ends of an axis with fewer than two of them.
 void draw_heights_axis(ImDrawList& list, const PlotStrip& strip, const PlotAxis& axis,
                        const Theme& theme) {
   const auto line = [&](double decades, const std::string& name) {

@@ -203,14 +203,14 @@ std::filesystem::path font_file(FontWeight weight) {
 }
 
 ImFont* add_font(FontWeight weight, float pixels) {
-  // Latin-1, Greek, general punctuation, arrows, mathematical signs, geometric shapes; the atlas
-  // keeps the pointer.
+  // Latin-1, Greek, general punctuation, arrows, mathematical signs, geometric shapes; static,
+  // since the atlas keeps the pointer.
   static constexpr std::array<ImWchar, 15> ranges{0x0020, 0x00FF, 0x0391, 0x03C9, 0x2010,
                                                   0x2044, 0x2070, 0x207F, 0x2190, 0x2199,
                                                   0x2200, 0x2265, 0x25A0, 0x25FF, 0};
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   ImFontConfig config;
-  // Large letters, of pictures at several times the window's size, need no finer grid.
+  // Large letters, in enlarged pictures, need no oversampling.
   const bool large = pixels > 28;
   config.OversampleH = large ? 1 : 3;
   config.OversampleV = large ? 1 : 2;

@@ -35,9 +35,8 @@ void map_keys(ImGuiIO& io) {
   for (const auto& [imgui, glfw] : keys) io.KeyMap[imgui] = glfw;
 }
 
-/// Dear ImGui keeps the undo steps of the last text field for when it is entered again, whatever
-/// its text is then: undone, they make the length of a shorter text negative. A field that is left
-/// is not recognised again.
+/// Makes Dear ImGui forget the undo steps of a text field that lost the focus. It would apply them
+/// when the field is entered again; with a shorter text, undo would then make its length negative.
 void forget_field_that_was_left(ImGuiContext& context) {
   if (context.ActiveId != context.InputTextState.ID) context.InputTextState.ID = 0;
 }

@@ -93,11 +93,11 @@ Autosave::Mark Autosave::mark_of(const Document& document, std::uint64_t generat
   return mark;
 }
 
-/// Has the session written if it has changed.
+/// Starts writing the session if it has changed.
 void Autosave::keep(const Session& session) {
   const Document* document = session.document();
   if (!document) return forget();
-  // While commands run again after an edit, what is kept is the history from before it.
+  // While commands are rerun after an edit, the saved history remains the one before the edit.
   if (session.jobs().queue().active() && session.jobs().queue().plan().revision) return;
   Mark mark = mark_of(*document, session.generation());
   if (mark == written_) return;
@@ -128,7 +128,7 @@ void Autosave::keep(const Session& session) {
   });
 }
 
-/// The mesh was closed, and its changes saved or given up: there is nothing to offer.
+/// Removes the saved session after the mesh was closed and its changes were saved or discarded.
 void Autosave::forget() {
   if (written_ == Mark{}) return;
   written_ = {};
@@ -147,7 +147,7 @@ void Autosave::restore(const fs::path& folder) {
       auto restored = std::make_shared<RestoredSession>(read_session(orphan.folder));
       return [this, orphan, restored, mesh = kept_mesh(orphan.folder)](Session& session) {
         session.files().restore(std::move(*restored));
-        // The file that was opened may have gone or changed since.
+        // The opened file may have been removed or changed since.
         restored_generation_ = session.generation();
         restored_mesh_ = mesh;
         taken_over_.push_back(orphan);

@@ -27,7 +27,7 @@ std::string step_name(std::uint64_t generation, std::uint64_t revision) {
   return "step-" + std::to_string(generation) + "-" + std::to_string(revision) + ".bin";
 }
 
-/// With the ending of the source, by which its format is known.
+/// Keeps the extension of the source, which determines the format.
 std::string mesh_name(const SessionRecord& session) {
   return "mesh-" + std::to_string(session.generation) + session.source.extension().string();
 }
@@ -39,7 +39,7 @@ std::string start_name(const SessionRecord& session) {
   return start_prefix + std::to_string(session.generation) + ".bin";
 }
 
-/// Copies the mesh file that was opened. False if it is not that file any more.
+/// Copies the opened mesh file. False if the file has changed since.
 bool copy_unchanged(const SessionRecord& session, const fs::path& to) {
   if (!session.stamp || stamp_of(session.mesh) != session.stamp) return false;
   std::error_code error;
@@ -49,7 +49,7 @@ bool copy_unchanged(const SessionRecord& session, const fs::path& to) {
   return false;
 }
 
-/// The mesh as opened. What its format keeps besides a mesh is lost where the file had changed.
+/// The mesh as opened. If the file had changed, data of its format other than the mesh are lost.
 Document::Loaded read_start(const fs::path& file, int zone) {
   if (!file.filename().string().starts_with(start_prefix)) return Document::load(file, zone);
   Document::Loaded loaded;
@@ -104,7 +104,7 @@ Value value_of(const json& object, const char* key, const fs::path& folder) {
   }
 }
 
-/// A file of the folder; no path leads out of it.
+/// A file in the folder; the path cannot lead outside it.
 fs::path file_of(const json& object, const char* key, const fs::path& folder) {
   return folder / fs::path(value_of<std::string>(object, key, folder)).filename();
 }
@@ -133,7 +133,7 @@ void SessionFolder::make() {
   path_ = path;
 }
 
-/// Writes the mesh as it was opened unless it is there. Returns the name of its file.
+/// Writes the mesh as opened unless it is already written. Returns the name of its file.
 std::string SessionFolder::keep_start(const SessionRecord& session) {
   std::string copy = mesh_name(session), own = start_name(session);
   if (written_.contains(copy)) return copy;
@@ -173,7 +173,7 @@ void SessionFolder::write(const SessionRecord& session) {
 void SessionFolder::remove() {
   if (path_.empty()) return;
   std::error_code ignored;
-  // Without a manifest nobody takes it for a session, should the rest not go.
+  // Without a manifest the folder is no session, even if the other files cannot be removed.
   fs::remove(path_ / manifest_name, ignored);
   fs::remove_all(path_, ignored);
   lock_.reset();

@@ -9,10 +9,10 @@ namespace winslow::gui {
 
 namespace {
 
-/// Also tells a machine with another order of bytes.
+/// Also detects a different byte order.
 constexpr std::uint64_t magic = 0x0009504554534e57;  // "WNSTEP", version 9
 
-/// Every field of a record, named once for reading and writing.
+/// Processes every field of a record, for reading and writing.
 template <class Archive, class Record>
 void record_fields(Archive& archive, Record& r) {
   archive.each(r.iteration, r.residual, r.largest_move, r.inverted, r.min_sine, r.damping,
@@ -27,7 +27,7 @@ void result_fields(Archive& archive, Result& r) {
   archive.each(r.inverted, r.stuck_nodes);
 }
 
-/// Connectivity as the arrays that it is built from.
+/// Processes the arrays from which the connectivity is built.
 template <class Archive, class Data>
 void topology_fields(Archive& archive, Data& data) {
   archive.numbers(data.types);
@@ -64,7 +64,7 @@ void layer_fields(Archive& archive, Stack& stack) {
   archive.number(stack.held);
 }
 
-/// What VCVs hold beyond equal angles and unit edges.
+/// VCV data that differ from equal angles and unit edges.
 struct VcvData {
   struct Edit {
     Index node = -1;
@@ -82,7 +82,7 @@ void vcv_fields(Archive& archive, Data& data) {
   });
 }
 
-/// A VCV of a volume mesh that was given by hand.
+/// A hand-edited VCV of a volume mesh.
 struct SphereData {
   Index node = -1;
   std::vector<double> directions, lengths;  // x, y, z one after another
@@ -97,7 +97,7 @@ void sphere_fields(Archive& archive, List& list) {
   });
 }
 
-/// null: none.
+/// stencils: null for none.
 std::vector<SphereData> data_of(const SphereStencils* stencils) {
   std::vector<SphereData> list;
   if (!stencils) return list;
@@ -119,18 +119,18 @@ std::shared_ptr<const SphereStencils> made_of(ArchiveReader& reader,
     if (item.directions.size() % 3 != 0) reader.fail("a direction of two numbers");
     for (std::size_t k = 0; k < item.directions.size(); k += 3)
       directions.emplace_back(item.directions.data() + k);
-    // Checked, and kept to the bit.
+    // The check does not modify the numbers, which are restored bit by bit.
     checked_stencil(topology, item.node, directions, item.lengths);
     stencils[item.node] = {std::move(directions), item.lengths};
   }
   return stencils.empty() ? nullptr : std::make_shared<const SphereStencils>(std::move(stencils));
 }
 
-/// What the shape of a surface mesh is found by again, in the mesh as it was given. A reference
-/// surface is kept whole: its file may have gone or changed.
+/// Data that recover the shape of a surface mesh from the given mesh. A reference surface is stored
+/// completely, since its file may have been removed or changed.
 struct ShapeData {
   FeatureRules rules;
-  std::string name;  // of the reference surface as the command has it; empty: none
+  std::string name;  // of the reference surface in the command; empty: none
   std::string source;
   std::vector<Vec3> points;
   std::vector<Face> faces;
@@ -158,7 +158,7 @@ ShapeData data_of(const SurfaceShape& shape) {
   return data;
 }
 
-/// before: the state of which the step was made.
+/// before: the input state of the step.
 std::shared_ptr<const SurfaceShape> made_of(ShapeData data, const MeshState& before) {
   SlideOptions slide;
   slide.feature_angle = data.rules.angle;
@@ -182,7 +182,7 @@ MeshData data_of(const Topology& topology) {
   MeshData data;
   for (Index e = 0; e < topology.element_count(); ++e)
     data.add_element(topology.element_type(e), topology.element(e));
-  // Markers that stand for loops come back by themselves.
+  // Markers generated for loops are generated again.
   if (topology.markers().from_file()) data.markers = topology.markers().list();
   data.regions = topology.regions();
   data.element_region.assign(topology.element_regions().begin(), topology.element_regions().end());
@@ -202,7 +202,7 @@ std::shared_ptr<const VirtualControlVolumes> made_of(
   return vcv;
 }
 
-/// Which parts of a state follow.
+/// Which parts of a state are stored.
 struct Parts {
   bool topology = false, vcv = false, layers = false, any_layers = false, spheres = false,
        shape = false, roles = false, any_roles = false;
@@ -218,7 +218,7 @@ Parts changed_parts(const MeshState& state, const MeshState& before) {
   return {state.mesh.topology != before.mesh.topology, state.vcvs.plane() != before.vcvs.plane(),
           state.layers != before.layers, state.layers != nullptr,
           state.vcvs.by_hand() != before.vcvs.by_hand(),
-          // That of the mesh as opened is found anew.
+          // The shape of the mesh as opened is recomputed.
           state.surface && before.mesh.topology && state.surface != before.surface,
           state.roles != before.roles, state.roles != nullptr};
 }
@@ -248,7 +248,7 @@ std::shared_ptr<const Topology> read_topology(ArchiveReader& reader, const Coord
   return Topology::build(data);
 }
 
-/// The state before, with all that was written of the one after it.
+/// The state before, updated with the stored parts.
 MeshState read_state(ArchiveReader& reader, const MeshState& before) {
   MeshState state = before;
   read_coordinates(reader, state.mesh.coordinates);
@@ -262,8 +262,8 @@ MeshState read_state(ArchiveReader& reader, const MeshState& before) {
   if (state.mesh.coordinates.size() != topology.node_count())
     reader.fail(std::to_string(state.mesh.coordinates.size()) + " nodes of " +
                 std::to_string(topology.node_count()));
-  // What belongs to other elements than there are now cannot have stayed as it was.
-  // Volume meshes have no control volumes of their own.
+  // Data that belong to elements cannot be unchanged if the elements have changed. Volume meshes
+  // have no VirtualControlVolumes.
   const bool without_vcv = topology.cell_dimension() == 2 && !parts.vcv;
   if (parts.topology &&
       (without_vcv || (state.layers && !parts.layers) || (state.roles && !parts.roles)))
@@ -353,7 +353,7 @@ CommandResult read_step(const std::filesystem::path& path, const MeshState& befo
     step.state = read_state(reader, before);
   } catch (const InputError&) {
     throw;
-  } catch (const Error& error) {  // no mesh, or no control volumes, can be made of the numbers
+  } catch (const Error& error) {  // the numbers define no valid mesh or VCVs
     reader.fail(error.what());
   }
   result_fields(reader, step.smooth);
@@ -377,7 +377,7 @@ bool element_rows_fit(const MeshData& data) {
   if (offsets.size() != data.types.size() + 1 || offsets.front() != 0) return false;
   for (std::size_t e = 0; e < data.types.size(); ++e) {
     if (data.types[e] > ElementType::hexahedron) return false;
-    // In this order: no sum of damaged numbers overflows.
+    // The order of the checks avoids overflow of damaged numbers.
     if (offsets[e] < 0 || offsets[e + 1] < offsets[e]) return false;
     if (offsets[e + 1] - offsets[e] != corner_count(data.types[e])) return false;
   }

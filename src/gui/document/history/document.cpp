@@ -58,8 +58,8 @@ Document::Loaded Document::load(const std::filesystem::path& path, int zone) {
 
 void examine(Document::Loaded& loaded) {
   const Mesh& mesh = loaded.state.mesh;
-  // Of a surface mesh: what smoothing would find anyway, and says why where it cannot. Which
-  // elements face the right way is told by it.
+  // For a surface mesh: the shape that smoothing needs; smoothing reports errors. It also
+  // determines which elements are oriented correctly.
   loaded.state.surface = own_shape(mesh);
   if (loaded.state.surface) loaded.given = std::make_shared<const SurfaceDistance>(mesh);
   const std::vector<Vec3> normals = reference_normals(loaded.state, mesh.coordinates);

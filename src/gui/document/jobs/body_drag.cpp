@@ -69,7 +69,7 @@ void BodyDrag::end() {
 
 BodyDrag::Reach BodyDrag::reach() const {
   if (!frame_->held) return Reach::there;
-  // Of the frame, not of the session: that may be a mesh ahead of what is on screen.
+  // Use the frame, not the session, which may be one mesh ahead of the screen.
   return frame_->limit || !error().empty() ? Reach::limit : Reach::catching_up;
 }
 
@@ -98,7 +98,7 @@ std::string share_text(double share, const char* of) {
   return short_number(100 * share) + " % of the " + of;
 }
 
-/// What each metric with a limit has come to: " Worst elements now: Normalized Jacobian 0.512."
+/// The worst value of each metric with a limit: " Worst elements now: Normalized Jacobian 0.512."
 std::string worst_values(const QualityFloor& floor, const Mesh& mesh) {
   std::string text;
   for (std::size_t m = 0; m < floor.limits.size(); ++m) {
@@ -111,7 +111,7 @@ std::string worst_values(const QualityFloor& floor, const Mesh& mesh) {
   return text.empty() ? text : text + '.';
 }
 
-/// The motion ended before a limit of the quality.
+/// Text for a motion that ended at a quality limit.
 std::string end_at_limit(const MotionEnd& end) {
   const std::string& limit = end.smooth.limited_by;
   std::string text = limit;

@@ -39,7 +39,7 @@ void JobRunner::retarget(Command command) {
   pause_requested_ = false;
   solver_.retarget(command_);
   solver_.resume();
-  // A job that had ended starts again under a new number.
+  // A finished job is restarted with a new number.
   job_ = solver_.latest()->job;
 }
 
@@ -124,15 +124,15 @@ std::optional<JobRunner::Outcome> JobRunner::take_outcome() {
 
 namespace {
 
-/// The same motion said as turning about `pivot`, without the rounding errors that a fit leaves:
-/// the history and recipes would show them. `size`: of the body.
+/// The same motion expressed as a rotation about `pivot`, without the rounding errors of a fit,
+/// which the history and recipes would show. `size`: of the body.
 RigidMotion about(const Vec3& pivot, const RigidMotion& motion, double size) {
   RigidMotion said = motion;
   said.pivot = pivot;
   said.translate = Vec3(transform(motion, pivot) - pivot);
   constexpr double rounding = 1e-11;
   if (std::abs(said.rotate) < 360 * rounding) said.rotate = 0;
-  // Of coordinates, and of what the fit and the way from its centre to the pivot make of them.
+  // Rounding errors of the coordinates, of the fit, and of the offset from its centre to the pivot.
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * pivot.norm();
   const double arm = (pivot - pivot_of(motion)).norm();
   const double least = rounding * (size + arm + said.translate.norm()) + round_off;
@@ -141,7 +141,7 @@ RigidMotion about(const Vec3& pivot, const RigidMotion& motion, double size) {
   return said;
 }
 
-/// How far a body came of a motion that was asked for: of the way of its nodes.
+/// The share of a requested motion that a body has reached, measured by the paths of its nodes.
 double share_of(const RigidMotion& reached, const RigidMotion& asked, const Box<3>& body) {
   const Vec3 centre = body.centre();
   const double radius = 0.5 * body.size().norm();
@@ -153,20 +153,19 @@ double share_of(const RigidMotion& reached, const RigidMotion& asked, const Box<
   return whole > 0 ? std::clamp(1 - way(reached, asked) / whole, 0.0, 1.0) : 1;
 }
 
-/// base, now: the mesh before the motion and where it got to. Returns the share of the motion that
-/// was reached.
+/// base, now: the mesh before and after the motion. Returns the reached share of the motion.
 double settle(MovingBody& moving, double fraction, const Mesh& base, const Coordinates& now,
               bool started_elsewhere) {
   const Coordinates& rest = base.coordinates;
   const RigidMotion asked = resolve_motion(moving.motion, rest.dimension(), Vec3(0, 0, 0));
   const std::vector<Index> nodes = base.topology->markers().nodes_of(moving.markers);
-  // Where the nodes are, with the full turns of what was asked for, of which about that share is
-  // done: those do not show in where the body is.
+  // Fit the motion to the positions of the nodes. Positions do not determine full turns, which are
+  // taken from that share of the requested rotation.
   const double share = started_elsewhere ? 1 : fraction;
   const RigidMotion reached =
       with_turns(fit_rigid_motion(nodes, rest, now), asked, share * asked.rotate);
   const Box<3> body = body_box(rest, nodes);
-  // The fraction of a run that began on the way says nothing of the whole way.
+  // The fraction of a run that began part-way does not refer to the whole path.
   if (started_elsewhere) fraction = share_of(reached, asked, body);
   moving.motion = about(pivot_of(asked), reached, body.size().norm());
   return fraction;

@@ -8,7 +8,8 @@ namespace winslow::gui {
 
 namespace {
 
-/// The one file that a mesh is in; none where it is in several, of which any may change.
+/// The stamp of a mesh in a single file; none for a mesh in several files, each of which may
+/// change.
 std::optional<FileStamp> whole_stamp(const std::filesystem::path& file) {
   const auto formats = io::mesh_formats();
   const bool folder = std::ranges::any_of(formats, [&](const io::MeshFormat* format) {
@@ -26,7 +27,7 @@ std::shared_ptr<const ReferenceSurface> ReferenceFiles::read(const std::filesyst
     return known_.surface;
   known_ = {};
   Known now{file, before, io::read_reference(file)};
-  // What was written to meanwhile is read again the next time.
+  // A file that changed while being read is read again the next time.
   if (whole_stamp(file) != before) now.stamp.reset();
   known_ = std::move(now);
   return known_.surface;
@@ -34,7 +35,7 @@ std::shared_ptr<const ReferenceSurface> ReferenceFiles::read(const std::filesyst
 
 namespace {
 
-/// Mean length of the edges of faces, those between two of them counted twice; 0 without any.
+/// Mean edge length of faces, shared edges counted twice; 0 without faces.
 template <class Points>
 double mean_edge(const std::vector<Face>& faces, const Points& point) {
   double sum = 0;
@@ -47,7 +48,7 @@ double mean_edge(const std::vector<Face>& faces, const Points& point) {
   return count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
-/// Of a volume mesh those of some markers.
+/// The faces of some markers; of a surface mesh all faces.
 std::vector<Face> faces_of(const Topology& topology, const std::vector<std::string>& markers) {
   std::vector<Face> faces;
   if (is_surface(topology)) {
@@ -65,7 +66,7 @@ std::vector<Face> faces_of(const Topology& topology, const std::vector<std::stri
 void ReferenceChoice::choose(std::filesystem::path file, std::shared_ptr<const Mesh> mesh,
                              std::vector<std::string> markers,
                              std::shared_ptr<ReferenceFiles> files) {
-  // Recipes and sessions are read elsewhere.
+  // Recipes and sessions may be read from another working folder.
   std::error_code failed;
   const std::filesystem::path whole = std::filesystem::absolute(file, failed);
   if (!failed) file = whole.lexically_normal();

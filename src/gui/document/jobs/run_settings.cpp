@@ -79,7 +79,7 @@ void leave_to_motion(SlideOptions& slide, const GivenPeriodicity* file, const To
     stop_sliding(slide, name);
     take_out(slide, file, name);
   }
-  // All of it is kept for when a marker slides again.
+  // The reference is dropped only in this copy; the settings keep it for later sliding markers.
   if (slide.markers.empty() && !is_surface(topology)) slide.reference.clear();
   drop_stale_overrides(slide, topology, markers);
 }

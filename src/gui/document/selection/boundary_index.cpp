@@ -9,7 +9,7 @@ namespace {
 std::pair<Index, Index> key(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
 
 double signed_area(const Coordinates& x, const std::vector<Index>& loop) {
-  const Vec2 origin = x.xy(loop.front());  // far from the true one, areas would cancel
+  const Vec2 origin = x.xy(loop.front());  // a local origin avoids cancellation
   double area = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Vec2 p = x.xy(loop[i]) - origin;
@@ -98,7 +98,7 @@ const BoundaryIndex::Body* BoundaryIndex::body_containing(const Vec2& point) con
 
 BoundaryIndex::Hit BoundaryIndex::hit_of(Index marker, bool inside) const {
   const Body* body = body_of(marker);
-  // The rim around everything is often many markers with little in common; a body moves whole.
+  // A body moves as a whole; the outer boundary often consists of unrelated markers.
   const bool whole = body && body->hole;
   return {marker, whole ? body->markers : std::vector<Index>{marker}, whole, inside};
 }

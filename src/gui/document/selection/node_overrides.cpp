@@ -79,7 +79,7 @@ std::string NodeOverrides::redoable(std::uint64_t revision) const {
   return top_of(undone_, revision);
 }
 
-/// Takes the last change from one list to the other.
+/// Moves the last change from one list to the other.
 std::string NodeOverrides::step(std::vector<Change>& from, std::vector<Change>& to) {
   to.push_back(from.back());
   from.pop_back();

@@ -52,7 +52,7 @@ std::pair<Vec2, Vec2> diameter(const std::vector<Vec2>& h) {
 }
 
 /// Cosine of the angle between the two edges that meet at a point of a loop: 1 for a cusp, -1 for a
-/// straight line. -1 for a point of no loop.
+/// straight line. -1 for a point on no loop.
 double sharpness(const std::vector<std::vector<Index>>& loops, const Coordinates& x,
                  const Vec2& point) {
   for (const auto& loop : loops)
@@ -121,7 +121,7 @@ BodyAnchors find_anchors(const std::vector<std::vector<Index>>& loops,
   const auto [a, b] = diameter(hull(points));
   const double sharp_a = sharpness(loops, x, a);
   const double sharp_b = sharpness(loops, x, b);
-  // Ends alike, as of an ellipse: the flow comes from the left.
+  // If both ends are equally sharp (ellipse), assume flow from the left.
   const bool a_trails = std::abs(sharp_a - sharp_b) < 1e-6 ? a.x() > b.x() : sharp_a > sharp_b;
   anchors.trailing_edge = a_trails ? a : b;
   anchors.leading_edge = a_trails ? b : a;
@@ -133,12 +133,12 @@ BodyAnchors find_anchors(const std::vector<std::vector<Index>>& loops,
 
 namespace {
 
-/// A line has two directions: the one that is positive along the axis that it follows most.
+/// Of the two directions of a line, the one whose largest component is positive.
 Vec3 upright(const Vec3& direction) {
   Index most = 0;
   direction.cwiseAbs().maxCoeff(&most);
   Vec3 axis = direction[most] < 0 ? Vec3(-direction) : direction;
-  // What rounding leaves of a zero would be shown, and kept in recipes.
+  // Remove rounding errors of zeros, which would be shown and stored in recipes.
   for (Index k = 0; k < 3; ++k)
     if (std::abs(axis[k]) < 1e-12) axis[k] = 0;
   return axis;

@@ -26,7 +26,7 @@ void Files::ask_to_save(Action next, Action discard) {
   const Document& document = *mesh_.document();
   asked_ = std::move(next);
   saved_ = false;
-  // What comes with the program stays as it is: the mesh goes to another place.
+  // Files of the program are not overwritten: ask for another path.
   ActionQueue save;
   if (bundled(document.path()))
     save.emplace_back(action::ShowFileDialog{FilePurpose::save_mesh, {}, true});
@@ -84,7 +84,7 @@ bool Files::poll_loader() {
 }
 
 void Files::adopt(Document::Loaded loaded) {
-  // The new one stands before the old one goes.
+  // Construct the new document before the old one is destroyed.
   auto document = std::make_unique<Document>(std::move(loaded));
   waiting_.reset();
   jobs_.stop();
@@ -108,7 +108,7 @@ void Files::adopt(Document::Loaded loaded) {
 
 namespace {
 
-/// What slides, as the last command that could have it slide said; none: there was no such command.
+/// The slide options of the last command that has such options; none: no such command.
 std::optional<SlideOptions> last_slide(const History& history) {
   for (std::size_t k = history.position(); k > 0; --k) {
     Command command = history.command(k);
@@ -120,7 +120,7 @@ std::optional<SlideOptions> last_slide(const History& history) {
 }  // namespace
 
 void Files::restore(RestoredSession restored) {
-  restored.loaded.file.warnings.clear();  // they were read when the mesh was opened
+  restored.loaded.file.warnings.clear();  // the user saw them when the mesh was opened
   adopt(std::move(restored.loaded));
   Document& document = *mesh_.document();
   const std::size_t count = restored.steps.size();
@@ -188,7 +188,7 @@ void Files::on(const action::SaveMesh& a) {
     start_saver(path, false, a.proceed);
 }
 
-/// copy: the document stays where it is.
+/// copy: the document keeps its path.
 void Files::start_saver(const std::filesystem::path& path, bool copy, bool proceed) {
   const Document& document = *mesh_.document();
   saver_.start([path, mesh = document.state().mesh, details = document.source().details,

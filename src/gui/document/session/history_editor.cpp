@@ -70,8 +70,8 @@ void HistoryEditor::on(const action::DeleteStep& a) {
   revise(a.position, "Before step " + std::to_string(a.position) + " was deleted", std::move(plan));
 }
 
-/// Keeps the history as it is, goes back to before a step and carries out the plan followed by all
-/// commands after that step.
+/// Keeps a copy of the history, goes back to the position before a step, and carries out the plan
+/// and then all commands after that step.
 void HistoryEditor::revise(std::size_t step, std::string why, CommandQueue::Plan plan) {
   const History& history = mesh_.document()->history();
   for (std::size_t k = step + 1; k < history.size(); ++k)
@@ -111,7 +111,7 @@ bool HistoryEditor::poll() {
   } else if (outcome->commands.empty()) {
     messages_.tell(Notice::Kind::warning, name + " has no commands.");
   } else if (mesh_.document() && outcome->generation == mesh_.generation() && may_change()) {
-    // The first command forgets what could have been redone.
+    // The first command clears the redo steps.
     if (mesh_.document()->history().can_redo())
       mesh_.document()->edits().keep("Before " + name + " was replayed");
     CommandQueue::Plan plan;

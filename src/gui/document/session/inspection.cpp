@@ -8,7 +8,7 @@ namespace winslow::gui {
 BoundaryRoles::Question BoundaryRoles::question() const {
   Question now;
   now.generation = mesh_.generation();
-  // While the mesh is on its way, that of the history stays as it was.
+  // While the mesh is in motion, the history's mesh does not change.
   now.shape = mesh_.in_motion() ? asked_.shape : mesh_.shape();
   now.slide = settings_.smooth_options().slide;
   const Topology& topology = *mesh_.document()->state().mesh.topology;
@@ -47,7 +47,7 @@ bool BoundaryRoles::poll() {
 void SphereInspector::forget_stale() const {
   const SmoothOptions& options = settings_.smooth_options();
   const History& history = mesh_.document()->history();
-  // While the mesh is on its way, that of the history stays as it was.
+  // While the mesh is in motion, the history's mesh does not change.
   const std::uint64_t shape = mesh_.in_motion() ? source_.shape : mesh_.shape();
   Source now{mesh_.generation(), shape,       history.position(),
              history.size(),     options.vcv, options.vcv_lengths,
@@ -115,7 +115,7 @@ StarMatches::Found look(const Mesh& mesh, const StarMatches::Wish& wish,
 
 const StarMatches::Found* StarMatches::find(const Wish& wish) const {
   if (!mesh_.document()) return nullptr;
-  // While the mesh is on its way, that of the history stays as it was.
+  // While the mesh is in motion, the history's mesh does not change.
   const std::uint64_t shape = mesh_.in_motion() ? asked_.shape : mesh_.shape();
   Question now{wish, mesh_.generation(), shape};
   if (now != asked_) {
@@ -134,7 +134,7 @@ const StarMatches::Found* StarMatches::find(const Wish& wish) const {
 bool StarMatches::poll() {
   auto answer = worker_.poll();
   if (!answer) return false;
-  // One that was given up is not whole.
+  // The result of a cancelled search is incomplete.
   if (answer->question == asked_) answer_ = std::move(answer);
   return true;
 }

@@ -9,7 +9,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// The limits of the quality that a command has.
+/// The quality limits of a command.
 const QualityFloor& floor_of(const Command& command) {
   static const QualityFloor none;
   return std::visit(
@@ -79,7 +79,8 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
       return false;
     }
   }
-  // Of a recipe for a mesh of another kind; while it is under way its motion is asked for.
+  // A recipe may be for a mesh of another dimension. Check this first: the motion of a running job
+  // is queried.
   if (const auto* move = std::get_if<MoveCommand>(&command)) {
     const int dimension = mesh_.document()->state().mesh.topology->space_dimension();
     try {
@@ -102,7 +103,7 @@ bool Jobs::start(Command command, bool paused, std::optional<Coordinates> start,
   return true;
 }
 
-/// The direct method is there to be watched; all else, and what is run again, goes at full speed.
+/// The direct method is slowed down for display; all other commands and reruns go at full speed.
 double Jobs::pace_of(Command command) const {
   const SmoothOptions* smooth = winslow::smooth_options(command);
   if (!smooth || queue_.active()) return 0;
@@ -192,7 +193,7 @@ void Jobs::finish(JobRunner::Outcome outcome) {
     messages_.report_error("The command failed; the mesh is as it was before", outcome.error);
 }
 
-/// Puts what a command has come to into the history, and goes on with the next one.
+/// Appends the result of a command to the history, and starts the next command.
 void Jobs::keep(JobRunner::Outcome outcome) {
   messages_.clear_banner();
   const JobRunner& job = work_.job();
@@ -239,7 +240,7 @@ void Jobs::start(CommandQueue::Plan plan) {
   run_queue(false);
 }
 
-/// Starts the next command of the queue, or ends it. paused: the user goes step by step.
+/// Starts the next command of the queue, or ends the queue. paused: the user steps through it.
 void Jobs::run_queue(bool paused) {
   if (!queue_.finished()) {
     if (!start(queue_.next(), paused)) stop_queue_at({});
@@ -251,7 +252,8 @@ void Jobs::run_queue(bool paused) {
   messages_.tell(Notice::Kind::success, finished_text(plan));
 }
 
-/// The next command of the queue cannot be carried out. error: why, if that was not said yet.
+/// Ends the queue because its next command cannot be carried out. error: why; empty: already
+/// reported.
 void Jobs::stop_queue_at(const std::string& error) {
   const std::size_t done = queue_.done();
   const auto plan = queue_.stop();
@@ -259,11 +261,11 @@ void Jobs::stop_queue_at(const std::string& error) {
   messages_.ask(stopped_prompt(plan, done, error, mesh_.document()->edits().kept().size()));
 }
 
-/// Ends the queue on the user's behalf.
+/// Ends the queue on the user's request.
 void Jobs::abandon_queue() {
   if (!queue_.active()) return;
   const auto plan = queue_.stop();
-  // What was begun would be neither the old history nor the new one.
+  // A partial rerun would be neither the old nor the new history.
   if (plan.revision) mesh_.document()->edits().take_back();
   show_position();
 }

@@ -30,7 +30,7 @@ const OngoingWork::EditedVcvs* OngoingWork::edited_vcvs() const {
 
 namespace {
 
-/// The motion that is being carried out; null: none is.
+/// The motion being carried out; null: none.
 const MoveCommand* move_of(const JobRunner& job) {
   return job.active() ? std::get_if<MoveCommand>(&job.command()) : nullptr;
 }
@@ -44,7 +44,7 @@ const std::shared_ptr<const Mesh>& SharedMesh::of(const std::shared_ptr<const To
   if (mesh_ && shape_ == shape && mesh_->topology == topology) return mesh_;
   shape_ = shape;
   if (given && given == mesh_) return mesh_;
-  // The shape grows with each look at a job, too: the same nodes are the same mesh.
+  // The shape also increases with each poll of a job, even if no node has moved.
   if (mesh_ && mesh_->topology == topology && mesh_->coordinates == coordinates) return mesh_;
   mesh_ = given ? given : std::make_shared<const Mesh>(Mesh{topology, coordinates});
   return mesh_;
@@ -85,7 +85,7 @@ const std::shared_ptr<const Topology>& LiveMesh::topology() const {
 
 std::shared_ptr<const Mesh> LiveMesh::shared() const {
   if (!document_) return nullptr;
-  // A job has its mesh as such an object.
+  // The mesh of a job is already such an object.
   const bool of_job = work_.job().active() && !work_.body_drag() && !instead_;
   return shared_.of(topology(), coordinates(), shape_,
                     of_job ? work_.job().snapshot_mesh() : nullptr);

@@ -45,7 +45,7 @@ FoundLayers::Outcome FoundLayers::look(const Mesh& mesh) {
       if (const int count = layer_count(stack, *mesh.topology, wall); count > 0)
         outcome.found[wall.markers.front()] = count;
   } catch (const std::exception&) {
-    // Quadrilaterals that are no layers: nothing is found, and holding them would say why.
+    // The quadrilaterals form no layers: report none here; a command that holds them explains why.
     outcome.found.clear();
   }
   return outcome;
@@ -88,7 +88,7 @@ bool LayerPreview::update(const Mesh* mesh) {
 
 namespace {
 
-/// 0: none are known.
+/// Number of known layers; 0: none.
 int known_layers(const LiveMesh& mesh, const LayerWall& wall) {
   const auto stack = mesh.layers();
   return stack ? layer_count(*stack, *mesh.topology(), wall) : 0;
@@ -114,7 +114,7 @@ void MeshLayers::limit_to_present(LayersCommand& command) const {
 }
 
 bool MeshLayers::poll() {
-  // While the mesh is on its way there is none to look at.
+  // While the mesh is in motion there is no mesh to search.
   const Document* document = mesh_.in_motion() ? nullptr : mesh_.document();
   bool changed = preview_.update(document ? &document->state().mesh : nullptr);
   changed |= found_.update(document ? &document->state() : nullptr);

@@ -42,7 +42,7 @@ void MessageBoard::set_banner(Banner::Kind kind, std::string text) {
 }
 
 void MessageBoard::remark(const std::string& what, const std::vector<std::string>& warnings) {
-  constexpr std::size_t most = 4;  // lines that leave the mesh in sight
+  constexpr std::size_t most = 4;  // largest number of lines, so that the mesh remains visible
   std::string text = what + ":";
   for (std::size_t k = 0; k < std::min(most, warnings.size()); ++k)
     text += (warnings.size() == 1 ? " " : "\n- ") + warnings[k];
@@ -82,13 +82,13 @@ void MessageBoard::set_banner_of_result(const SmoothResult& smooth) {
   } else if (!damage.text.empty()) {
     set_banner(Banner::Kind::damaged, damage.text);
   }
-  // A residual is that of all nodes together.
+  // A residual concerns all nodes and has no place.
   const bool of_a_place = !damage.text.empty() || smooth.inverted > 0 ||
                           (banner_ && banner_->kind == Banner::Kind::partial_motion);
   if (banner_ && of_a_place) banner_->worst = worst_place(damage);
 }
 
-/// Its text: a sentence on what the command that led to the present mesh has spoilt.
+/// The damage done by the command that led to the present mesh, with a sentence about it.
 Damage MessageBoard::damage_of_last_command() const {
   const Document* document = mesh_.document();
   if (!document || document->history().position() == 0 || document->boundary()) return {};
@@ -112,7 +112,7 @@ std::optional<MeshItem> MessageBoard::worst_place(const Damage& damage) const {
   if (!document->boundary())
     return MeshItem{MeshItem::Kind::element,
                     worst_element(document->state().mesh, Metric::normalized_jacobian)};
-  // The mesh as it was opened has been measured; any other would have to be, here and now.
+  // Only the mesh as opened has been measured; other meshes would have to be measured now.
   const auto& worst = document->loaded_quality().of(Metric::normalized_jacobian).worst;
   if (document->history().position() > 0 || worst.empty()) return std::nullopt;
   return MeshItem{MeshItem::Kind::element, worst.front().element};

@@ -24,7 +24,7 @@ void Motions::on(const action::ApplyMotion& a) {
   }
 }
 
-/// The motion as the open mesh makes it, about the pivot of the selection unless it names one.
+/// The motion resolved for the open mesh, about the selection's pivot unless it has its own.
 RigidMotion Motions::resolved(const RigidMotion& motion) const {
   return resolve_motion(motion, mesh_.coordinates().dimension(), selection_.space_pivot());
 }
@@ -43,7 +43,7 @@ void Motions::on(const action::SetShapeEdit& a) {
   selection_.edit_shape(a.active, a.radius);
   const BodyDrag* drag = work_.body_drag();
   if (!dragging || !drag || drag->grip().rigid() || !selection_.shape_edit().holds()) return;
-  // The same pull on another part of the boundary.
+  // Restart the drag with the same motion for another part of the boundary.
   const RigidMotion pull = drag->wanted();
   begin_body_drag(shape_grip());
   work_.drag().to(pull);
@@ -68,7 +68,7 @@ void Motions::on(const action::BeginDrag& a) {
       return messages_.tell(Notice::Kind::warning, at_work);
     base_ = mesh_.live_motion();
   }
-  // Where it was asked for, the boundary goes at once and the mesh may be tangled on the way.
+  // In the direct mode the boundary moves in one step, and intermediate meshes may be tangled.
   const bool direct = rigid && settings_.motion_options().increments == 1;
   DragGrip grip = rigid ? DragGrip{selection_.names(), {}, {}} : shape_grip();
   if (!direct && begin_body_drag(std::move(grip))) {
@@ -82,8 +82,8 @@ void Motions::on(const action::BeginDrag& a) {
   work_.held().body = true;
 }
 
-/// False where the drag can show no valid mesh: the one it would begin from is tangled, or the
-/// settings make no sense (then the job says so).
+/// False if the drag cannot show valid meshes: its initial mesh is tangled, or the settings are
+/// invalid (then the job reports this).
 bool Motions::begin_body_drag(DragGrip grip) {
   std::optional<DragSession::Start> start;
   if (base_) start = DragSession::Start{work_.job().coordinates(), *base_};
@@ -108,8 +108,8 @@ void Motions::on(const action::DragTo& a) {
     return mesh_.changed();
   }
   MoveCommand command = move_command(total);
-  // Steps that the user chose are for the place where the body is let go; until then it goes there
-  // at once.
+  // The chosen number of steps applies to the final position; during the drag the body moves in one
+  // step.
   command.how.increments = settings_.motion_options().increments == 0 ? 0 : 1;
   if (work_.job().active()) {
     work_.job().retarget(command);
@@ -130,18 +130,18 @@ void Motions::on(const action::EndDrag&) {
   const auto motion = mesh_.live_motion();
   if (!motion) return;
   const MoveCommand wanted = move_command(*motion);
-  // What has converged under the mouse needs no second run, unless other steps were asked for.
+  // A job that converged during the drag needs no second run, unless several steps are set.
   if (wanted.how.increments <= 1 && work_.job().converged())
     work_.job().rename(wanted);
   else
     work_.job().retarget(wanted);
 }
 
-/// The command that the drag has shown is carried out from the mesh on screen, so that it is done
-/// after an iteration or two.
+/// Carries out the command of the drag, starting from the mesh on screen, so that it needs only one
+/// or two iterations.
 void Motions::end_body_drag() {
   BodyDrag& drag = work_.drag();
-  // What the handle said while it was held: this far and no further.
+  // At its limit the drag ends at the reached motion, as the handle showed.
   const bool limit = drag.reach() == BodyDrag::Reach::limit;
   const RigidMotion motion = limit ? drag.frame().motion : drag.wanted();
   const DragGrip grip = drag.grip();
@@ -153,7 +153,7 @@ void Motions::end_body_drag() {
   base_.reset();
   start_.reset();
   mesh_.changed();
-  // Nothing was done, and what was to be said of the mesh is to be said still.
+  // Nothing was changed: restore the banner of the present mesh.
   if (!moves(motion)) {
     messages_.set_banner_of_position();
     if (!error.empty()) messages_.report_error("The mesh cannot follow this motion", error);
@@ -173,7 +173,7 @@ void Motions::cancel_drag() {
     work_.drag().end();
     mesh_.changed();
     messages_.set_banner_of_position();
-    // The job that the drag had taken over goes on to where it was going.
+    // Resume the job that the drag had taken over, with its target.
     if (base) jobs_.start(move_command(*base), false, std::exchange(start_, std::nullopt));
   } else if (base) {
     work_.job().hold(false);

@@ -9,17 +9,17 @@ namespace {
 // While a solver runs, measuring more often than the eye can follow would only slow it down.
 constexpr std::chrono::milliseconds live_interval{120};
 
-/// What a measurement is made with.
+/// The inputs of a measurement.
 struct Order {
   QualityMonitor::Wish wish;
-  const void* named = nullptr;  // the numbers of wish.before, or of what it is a copy of
+  const void* named = nullptr;  // identity of wish.before, or of its original
   bool live = false;
   int threads = 0;  // 0: all cores
 };
 
 bool by_deviation(const std::optional<ElementField>& field) { return field && field->surface(); }
 
-/// Colours of a surface mesh, and how far it is from what it was.
+/// Measures the colours and the deviation of a surface mesh.
 void measure_surface(const QualityMonitor::Subject& subject, const Order& order,
                      std::span<const Vec3> normals, QualityMonitor::Measured& measured) {
   const Mesh& mesh = *subject.mesh;
@@ -61,7 +61,7 @@ std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape,
   else if (kind == MeshKind::surface && wish.field && wish.field->metric())
     measured->values = element_values(mesh, *wish.field->metric(), normals);
   else if (wish.field && kind == MeshKind::volume)
-    // Fields of plane meshes alone have no values here.
+    // Fields for plane meshes only have no values here.
     measured->values = wish.field->metric() && wish.field->cell_dimension() == 3
                            ? element_values(mesh, *wish.field->metric())
                            : std::vector<double>();
@@ -76,7 +76,7 @@ std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape,
 bool QualityMonitor::wants(std::uint64_t shape, const Wish& wish, bool live) const {
   if (worker_.busy()) return false;
   const bool met = latest_ && wish.met_by(*latest_);
-  // What was left out while the solver was at work is made up for.
+  // A deviation omitted while the solver was running is still needed.
   const bool whole = live || !wish.given || (latest_ && latest_->deviation);
   if (met && whole && latest_->shape == shape) return false;
   return !live || !met || std::chrono::steady_clock::now() - last_start_ >= live_interval;
@@ -90,7 +90,7 @@ void QualityMonitor::request(std::uint64_t shape, const Subject& subject, const 
   // largest ones, have no first heights to compare.
   const bool compared = wish.before && subject.mesh->topology->cell_dimension() == 2;
   auto before = compared ? std::make_shared<const Coordinates>(*wish.before) : nullptr;
-  // Beside a solver one core is enough; else the colours wait for it.
+  // While a solver runs, use only one core; otherwise the colours wait for the measurement.
   Order order{wish, wish.before_numbers(), live, live ? 1 : 0};
   order.wish.before = before.get();
   worker_.start([shape, subject, order, before] { return measure(shape, subject, order); });
@@ -108,7 +108,7 @@ bool QualityMonitor::poll() {
     discard_ = false;
     return true;
   }
-  // One that was taken at once may be newer.
+  // A synchronous measurement may be newer.
   if (!latest_ || (*result)->shape >= latest_->shape) latest_ = std::move(*result);
   return true;
 }
@@ -120,7 +120,7 @@ void QualityMonitor::clear() {
 
 namespace {
 
-/// It was left out while a solver was at work, and is not yet made up for.
+/// True if the deviation was omitted while a solver was running and is still missing.
 bool lacks_deviation(const LiveMesh& mesh, const QualityMonitor::Measured& measured) {
   return mesh.document()->given() && !mesh.in_motion() && !measured.deviation;
 }
@@ -129,7 +129,7 @@ bool lacks_deviation(const LiveMesh& mesh, const QualityMonitor::Measured& measu
 
 void QualityWatch::watch(const std::optional<ElementField>& field, BeforeState before) {
   if (!mesh_.document()) return;
-  // While it is paused there is time for all of it.
+  // While the solver is paused, measure everything.
   const bool live = mesh_.in_motion() && !mesh_.work().job().paused();
   const QualityMonitor::Wish wanted = wish(field, before);
   if (monitor_.wants(mesh_.shape(), wanted, live))
@@ -150,7 +150,7 @@ bool QualityWatch::up_to_date(const std::optional<ElementField>& field, BeforeSt
 QualityMonitor::Wish QualityWatch::wish(const std::optional<ElementField>& field,
                                         BeforeState before) const {
   const MeshState& state = mesh_.document()->history().state(position_before(mesh_, before));
-  // Nodes of another connectivity are no earlier places of these.
+  // With another connectivity the nodes do not correspond.
   return {field, state.mesh.topology == mesh_.topology() ? &state.mesh.coordinates : nullptr,
           mesh_.document()->given()};
 }
@@ -162,7 +162,7 @@ QualityMonitor::Subject QualityWatch::on_screen() const {
 std::size_t position_before(const LiveMesh& mesh, BeforeState which) {
   const History& history = mesh.document()->history();
   if (which == BeforeState::loaded) return 0;
-  // While a command is being carried out, its own start; else that of the last one.
+  // During a command the state before it, otherwise the state before the last command.
   if (mesh.in_motion()) return history.position();
   return history.position() > 0 ? history.position() - 1 : 0;
 }

@@ -60,8 +60,8 @@ void PlaneSelection::set_pivot(const action::SetPivot& a) {
 void PlaneSelection::place() {
   if (!anchors_ || !place_) return;
   Vec2 pivot = anchors_->point(*place_);
-  // The very point of commands without a pivot stays as it is; of others the panel would show what
-  // rounding leaves of a zero.
+  // The centre must equal the default pivot of commands exactly. For other points remove rounding
+  // errors of zeros, which the panel would show.
   if (place_ != PivotPlace::centre) {
     const double least = 1e-14 * (pivot.norm() + mesh_.boundary()->reach(markers_, pivot));
     for (int d = 0; d < 2; ++d)
@@ -78,14 +78,14 @@ void PlaneSelection::clear() {
 void PlaneSelection::follow_nodes() {
   anchors_.reset();
   if (!mesh_.document() || markers_.empty()) return;
-  // A job shows a mesh that is none of the history: what it comes to has anchors of its own.
+  // A job may show a mesh that is not in the history; its anchors are found when the job ends.
   if (mesh_.topology() != mesh_.document()->topology()) return;
   const Mesh& mesh = mesh_.document()->state().mesh;
   std::vector<Index> nodes =
       mesh.topology->markers().nodes_of(marker_names(*mesh.topology, markers_));
   if (nodes.empty()) return;
   std::sort(nodes.begin(), nodes.end());
-  // A body of several markers is a loop once all of them are selected.
+  // A body with several markers is a loop only if all of them are selected.
   std::vector<std::vector<Index>> loops;
   std::vector<Index> on_loops;
   for (const auto& body : mesh_.boundary()->bodies()) {
@@ -100,18 +100,18 @@ void PlaneSelection::follow_nodes() {
   std::set_difference(nodes.begin(), nodes.end(), on_loops.begin(), on_loops.end(),
                       std::back_inserter(others));
   anchors_ = find_anchors(loops, others, mesh.coordinates);
-  // Edges of a loop that have no marker do not move with it.
+  // Nodes of edges without a marker do not move with the selection.
   anchors_->centre = body_centre(body_box(mesh.coordinates, nodes)).head<2>();
 }
 
 namespace {
 
-/// Pivots of what a motion takes along go with it, but for those that stay with their nodes.
+/// Moves a pivot with its bodies, except a picked one, which is defined by its nodes.
 void move_pivot(SpacePivot& pivot, const RigidMotion& motion) {
   if (pivot.picked()) return;
   pivot.point = transform(motion, pivot.point);
   const Vec3 axis = rotated(motion, pivot.axis);
-  // About itself it is turned by nothing but rounding.
+  // A rotation about the axis itself changes it only by rounding.
   if ((axis - pivot.axis).norm() > 1e-12 * axis.norm()) pivot.axis = axis;
 }
 
@@ -155,7 +155,7 @@ void SpaceSelection::set_space_pivot(const std::optional<Vec3>& pivot) {
 
 void SpaceSelection::set_axis(const Vec3& axis) {
   if (!axis.allFinite() || axis.norm() == 0) return;
-  // A picked axis would come back with the nodes that it was picked from.
+  // With its nodes kept, the picked axis would replace the typed one.
   if (pivot_.nodes.size() > 1) {
     pivot_.nodes.clear();
     pivot_.from = PivotFrom::typed;
@@ -190,7 +190,7 @@ void SpaceSelection::place() {
     const auto pivot = pivot_at({pivot_.from, pivot_.nodes}, mesh.coordinates, pivot_.axis);
     if (pivot) pivot_ = *pivot;
   } else if (pivot_.from == PivotFrom::centre) {
-    // The very point of commands without a pivot.
+    // Exactly the default pivot of commands.
     pivot_.point = centre().value_or(pivot_.point);
   }
 }
@@ -210,7 +210,7 @@ void SpaceSelection::clear() {
   held_.reset();
 }
 
-/// All edges would be a blot: of those that are not sharp a few, spread over the surface.
+/// All edges would be too dense: uses the sharp edges and a few others, spread over the surface.
 std::vector<std::array<Index, 2>> SpaceSelection::outline() const {
   constexpr std::size_t most_faces = 100;
   constexpr double sharp_angle = 40;  // degrees
@@ -244,7 +244,7 @@ const SpaceSelection::HeldPatch* SpaceSelection::held(const ShapeEdit& edit) con
   for (const Index node : patch->nodes) held.centre += mesh.coordinates.xyz(node);
   held.centre /= static_cast<double>(patch->nodes.size());
   const SpacePoints x(mesh.coordinates);
-  Vec3 whole(0, 0, 0), around(0, 0, 0);  // of faces that are held, and of those that touch them
+  Vec3 whole(0, 0, 0), around(0, 0, 0);  // of held faces, and of faces that touch them
   for (const Index m : patch->markers)
     for (const Face& face : mesh.topology->markers()[at(m)].faces) {
       const auto n = std::ranges::count_if(face, [&](Index node) { return patch->contains(node); });
@@ -297,7 +297,7 @@ bool Selection::contains(Index marker) const {
   return std::binary_search(markers_.begin(), markers_.end(), marker);
 }
 
-/// Motions that were carried out name their pivots.
+/// Commands that were carried out contain their pivots.
 void Selection::moved(const MoveCommand& move) {
   const int dimension = mesh_.coordinates().dimension();
   for (const MovingBody& body : move.bodies)
@@ -331,7 +331,7 @@ void Selection::on(const action::SelectMarkers& a) {
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   if (a.toggle) {
     std::vector<Index> toggled;
-    // Several markers of one body go together: out if all are in, else in.
+    // Toggle the markers of one body together: remove them if all are selected, otherwise add them.
     if (std::includes(markers_.begin(), markers_.end(), wanted.begin(), wanted.end()))
       std::set_difference(markers_.begin(), markers_.end(), wanted.begin(), wanted.end(),
                           std::back_inserter(toggled));
@@ -349,7 +349,7 @@ void Selection::on(const action::SelectMarkers& a) {
 
 void Selection::edit_shape(bool active, double radius) {
   if (active && !shape_edit_.active && radius <= 0 && shape_edit_.radius <= 0) {
-    // A first guess that shows what the radius is for: a tenth of the smallest body.
+    // Initial radius: a tenth of the smallest body, which makes its effect visible.
     shape_edit_.radius = 0.1 * own().smallest_body();
   } else if (radius > 0 || shape_edit_.active) {
     shape_edit_.radius = std::max(radius, 0.0);
@@ -370,7 +370,7 @@ void Selection::on(const action::PreviewDeformation& a) {
     make_motion(*mesh.topology, mesh.coordinates, names(), *a.shape)
         ->apply(mesh.coordinates, 1, moved);
   } catch (const UsageError&) {
-    return;  // numbers half typed; carrying them out would say what is wrong
+    return;  // incomplete input; carrying it out would report the error
   }
   preview_ = DeformationPreview{*a.shape, {}};
   for (const auto& [a, b] : own().outline())
@@ -381,7 +381,7 @@ void Selection::on(const action::PreviewMotion& a) {
   motion_preview_.reset();
   if (!a.motion || !mesh_.document() || markers_.empty()) return;
   motion_preview_ = MotionPreview{*a.motion, {}};
-  // With the pivot, if it names none.
+  // Use the selection's pivot if the motion has none.
   const Coordinates& x = mesh_.coordinates();
   const RigidMotion motion = resolve_motion(*a.motion, x.dimension(), space_pivot());
   for (const auto& [from, to] : own().outline())
@@ -405,7 +405,7 @@ void Selection::on(const action::SelectNode& a) {
 }
 
 void Selection::on(const action::HoverNode& a) {
-  // The mesh may have changed since the mouse was there.
+  // The mesh may have changed since the mouse was over the node.
   nodes_.hover(a.node && exists(*a.node) ? a.node : std::nullopt);
 }
 
@@ -422,13 +422,13 @@ void Selection::carry_over(const std::shared_ptr<const Topology>& before,
                            const std::shared_ptr<const Topology>& now) {
   markers_ = same_names(markers_, *before, *now);
   hovered_ = same_names(hovered_, *before, *now);
-  shape_edit_.arc.reset();  // counts along the loops of before
+  shape_edit_.arc.reset();  // its positions refer to the previous loops
   drop_preview();
   carry_over_nodes(before, now);
 }
 
-/// Nodes whose star is another one now are let go of, and taken up again when a mesh of the
-/// connectivity before is back: an insertion was cancelled or undone.
+/// Drops nodes whose star has changed, and restores them when the previous connectivity returns (an
+/// insertion was cancelled or undone).
 void Selection::carry_over_nodes(const std::shared_ptr<const Topology>& before,
                                  const std::shared_ptr<const Topology>& now) {
   const auto goes = [&](Index node) { return !same_star(node, *before, *now); };

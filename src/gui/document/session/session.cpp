@@ -39,7 +39,7 @@ Activity busy(std::string text) { return {Activity::Kind::busy, std::move(text)}
 
 std::string percent_text(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
-/// What a command does can be counted in shares of a motion.
+/// True if the progress of a command is a share of a motion.
 bool moves_boundary(const Command& command) {
   return std::visit(
       [](const auto& c) {

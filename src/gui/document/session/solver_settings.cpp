@@ -30,7 +30,7 @@ SmoothOptions SolverSettings::smooth_for_motion(const std::vector<std::string>& 
 
 MoveCommand SolverSettings::move_command(const std::vector<std::string>& markers,
                                          RigidMotion motion) const {
-  // Recipes have as many numbers of what the studio found as the mesh has dimensions.
+  // Fixes the number of components, so that recipes show as many as the mesh has dimensions.
   motion.translate = Vec3(motion.translate);
   return MoveCommand{{{markers, motion}}, motion_, smooth_for_motion(markers)};
 }

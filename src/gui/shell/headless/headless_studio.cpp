@@ -55,7 +55,7 @@ void HeadlessStudio::settle() {
     frames(1);
     throw_if_wrong();
   }
-  // Windows of the interface take a frame or two to find their sizes.
+  // ImGui windows need one or two frames to determine their sizes.
   frames(3);
   throw_if_wrong();
 }
@@ -93,7 +93,7 @@ void HeadlessStudio::run_stepwise(const std::function<void()>& seen) {
   while (job.active()) {
     look();
     const auto snapshot = job.snapshot();
-    // A step that was asked for takes a while to be seen: each pause is left once.
+    // A requested step takes effect with a delay: step only once per pause.
     if (snapshot && snapshot->state == JobState::paused && snapshot->serial != left) {
       left = snapshot->serial;
       bench_->apply(action::StepSolver{1});
@@ -116,7 +116,7 @@ class FrameTaker {
     recorder_.start(options.frames, options.recording);
   }
 
-  /// The mesh on screen, and those on the way to it.
+  /// Records the mesh on screen and the meshes before it.
   void record() {
     PicturePainter& painter = studio_.bench().pictures();
     PictureSpec spec = options_.recording.picture;
@@ -125,7 +125,7 @@ class FrameTaker {
       spec.size = picture_size(spec, extent.x(), extent.y());
     }
     for (const Coordinates& x : meshes_.collect(studio_.bench().session()))
-      recorder_.add(painter.picture_of(x, spec));  // waits for the disk where need be
+      recorder_.add(painter.picture_of(x, spec));  // waits for the disk if necessary
   }
 
   /// Returns what to tell the user.
@@ -192,7 +192,7 @@ HeadlessResult run_headless(const HeadlessOptions& options) {
     if (zone == 0)
       for (const std::string& text : io::zones_left(document->source().details.get(), mesh))
         options.warn(text);
-    // Said here; a question on screen would be in the picture.
+    // Reported here; dismiss the prompt, which would be visible in the picture.
     studio.bench().apply(action::DismissPrompt{});
     if (options.check) options.check(recipe.commands, *document->topology(), mesh.string());
   }

@@ -16,7 +16,7 @@ struct Arity {
   std::size_t least, most;
 };
 
-/// Words that follow the first.
+/// Number of words after the first one.
 const std::map<std::string, Arity, std::less<>>& known_words() {
   static const std::map<std::string, Arity, std::less<>> words{
       {"open", {1, 1}},        {"replay", {1, 1}},       {"click", {1, 3}},
@@ -80,7 +80,7 @@ int key_code(const std::string& name) {
       {"PageDown", GLFW_KEY_PAGE_DOWN}};
   if (name.size() == 1) {
     const int c = std::toupper(static_cast<unsigned char>(name[0]));
-    // GLFW numbers the keys of printable characters as ASCII does.
+    // GLFW's codes of printable characters are those of ASCII.
     if (c > ' ' && c < 127) return c;
   }
   if (const auto found = names.find(name); found != names.end()) return found->second;
@@ -96,7 +96,7 @@ int key_code(const std::string& name) {
 std::vector<int> parse_keys(const std::string& text) {
   std::vector<int> keys;
   std::size_t start = 0;
-  // A plus at the end is the key of that name.
+  // A final "+" is the key "+".
   for (std::size_t end; (end = text.find('+', start)) + 1 < text.size() && end != text.npos;
        start = end + 1)
     keys.push_back(key_code(text.substr(start, end - start)));
@@ -187,7 +187,7 @@ class ScriptPlayer {
     return static_cast<int>(value);
   }
 
-  /// How many a point of the open mesh has.
+  /// Number of coordinates of a point of the open mesh.
   std::size_t coordinates() {
     return static_cast<std::size_t>(bench().session().coordinates().dimension());
   }
@@ -202,7 +202,7 @@ class ScriptPlayer {
       p[static_cast<Index>(k)] = number(words[first + k]);
     return p;
   }
-  /// Its pixel.
+  /// Pixel of a point of the mesh.
   ScreenPoint mesh_point(const std::vector<std::string>& words, std::size_t first) {
     return bench().view_control().view().project(point(words, first)).at;
   }
@@ -212,7 +212,7 @@ class ScriptPlayer {
     bench().apply(action::LookAt{at, radius});
   }
 
-  /// Pixel of a widget, or of a point of the mesh where there are numbers.
+  /// Pixel of a widget or, for numbers, of a point of the mesh.
   ScreenPoint target(const std::vector<std::string>& words, std::size_t first) {
     return words.size() > first + 1 ? mesh_point(words, first) : widget(words[first]);
   }
@@ -220,12 +220,12 @@ class ScriptPlayer {
     auto found = bench().widgets().find(id);
     if (found && !found->shown) {
       bench().widgets().want(id);
-      studio_.frames(3);  // one asks for it, the next scrolls, the last is laid out there
+      studio_.frames(3);  // request, scroll, layout
       bench().widgets().want({});
       found = bench().widgets().find(id);
     }
     if (!found) throw UsageError("there is no widget \"" + id + "\" on screen");
-    // A click there would hit what happens to lie at that place.
+    // A click at that place would hit another widget.
     if (!found->shown) throw UsageError("the widget \"" + id + "\" cannot be scrolled into sight");
     return found->centre();
   }
@@ -234,7 +234,7 @@ class ScriptPlayer {
     input().move(to);
     studio_.frames(2);
   }
-  /// Off the window: no tooltip is in the way of a picture.
+  /// Moves the mouse off the window, so that no tooltip is in a picture.
   void away() {
     input().leave();
     studio_.frames(3);
@@ -315,7 +315,7 @@ class ScriptPlayer {
     say_("Wrote " + path.string());
   }
 
-  /// While the view of a volume mesh turns once around it.
+  /// Records a film of one turn of the view around a volume mesh.
   void film(const std::vector<std::string>& words) {
     if (!bench().session().in_space())
       throw UsageError("a film of a turn is of a volume mesh, and none is open");
@@ -352,7 +352,7 @@ class ScriptPlayer {
 
 void play_script(const Script& script, HeadlessStudio& studio, const std::filesystem::path& folder,
                  const std::function<void(const std::string&)>& say) {
-  // Nothing lies beside a pipe.
+  // A pipe has no folder.
   const bool file = std::filesystem::is_regular_file(script.file);
   ScriptPlayer player(studio, file ? script.file.parent_path() : folder, folder, say);
   for (const ScriptLine& line : script.lines) {

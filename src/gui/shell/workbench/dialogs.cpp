@@ -9,12 +9,12 @@ void Dialogs::draw(const PanelContext& context, const ScreenVector& window,
                    const ScreenVector& mesh) {
   picture_.draw(context, window, mesh);
   record_.draw(context, window, mesh);
-  // It makes room for the dialog in which a file is chosen for it, and does not take the key that
-  // closed that one.
+  // The step editor is hidden while its file dialog is open, and must not handle the key that
+  // closed the file dialog.
   if (!file_.is_open()) step_.show_again();
   file_.draw(context);
   step_.draw(context);
-  // One dialog at a time: what there is to say waits until a file is chosen.
+  // One dialog at a time: prompts wait until the other dialogs are closed.
   if (!file_.is_open() && !step_.is_open()) draw_prompt(context);
   help_.draw(context);
   palette_.draw(context);
@@ -31,7 +31,7 @@ void Dialogs::on(const action::ShowFileDialog& a) {
   if (a.purpose == FilePurpose::recording) suggested.replace_extension(".mp4");
   if (a.purpose == FilePurpose::export_markers)
     suggested.replace_filename(suggested.stem().string() + "_markers.csv");
-  // What is written does not belong among the meshes that come with the program.
+  // Do not suggest the folder of the bundled meshes for writing.
   std::error_code ignored;
   const std::string& reference = session_.solver_settings().smooth_options().slide.reference;
   if (a.purpose == FilePurpose::reference && !reference.empty()) suggested = reference;

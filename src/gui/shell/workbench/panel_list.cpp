@@ -9,7 +9,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// One panel of the user's, which is another for a volume mesh.
+/// One panel for the user, with different implementations for plane and volume meshes.
 DrawPanel node_panel() {
   return [plane = vcv_panel(), volume = sphere_panel()](const PanelContext& context) {
     (context.session.kind() == MeshKind::volume ? volume : plane)(context);
@@ -26,7 +26,7 @@ PanelRegistry make_panels() {
   r.add({"zone", "Zone", Region::left, draw_zone});
   r.add({"markers", "Markers", Region::left, markers_panel()});
   r.add({"cuts", "Cuts", Region::left, cuts_panel(), {}, volume_meshes});
-  // Of a surface mesh, which keeps its shape, nothing is said: the menus say why.
+  // Hidden for a surface mesh, which keeps its shape; the menus explain this.
   r.add({"motion", "Move the selection", Region::left, motion_panel(), {}, movable_meshes});
   r.add({"shape", "Shape", Region::left, shape_panel(), {}, movable_meshes});
   r.add({"layers", "Layers", Region::left, layers_panel(), {}, movable_meshes, plane_meshes});

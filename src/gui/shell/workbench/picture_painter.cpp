@@ -14,12 +14,12 @@ namespace winslow::gui {
 namespace {
 
 constexpr int samples = 4;
-/// Side of the pieces that a picture is drawn in, pixels: multisampled, 130 MB.
+/// Side of the tiles of a picture, pixels; a multisampled tile needs 130 MB.
 constexpr int tile_side = 2048;
-/// Windows of the interface need a frame or two to find their sizes.
+/// ImGui windows need one or two frames to determine their sizes.
 constexpr int frames_to_settle = 3;
 
-/// Copies a part to where it belongs, cut off where the whole ends.
+/// Copies a tile to its place, clipped to the whole picture.
 void copy_into(Image& whole, const Image& part, int x, int y) {
   const auto columns = static_cast<std::size_t>(std::min(part.width, whole.width - x));
   for (int row = 0; row < std::min(part.height, whole.height - y); ++row) {
@@ -30,7 +30,7 @@ void copy_into(Image& whole, const Image& part, int x, int y) {
   }
 }
 
-/// A camera that sees what another one does, in a viewport of another size.
+/// Gives a camera the view of another one, in a viewport of another size.
 void fill_viewport(SpaceCamera& camera, const SpaceCamera& as, const ScreenBox& v) {
   const ScreenVector size = as.viewport().size();
   camera = as;
@@ -40,7 +40,7 @@ void fill_viewport(SpaceCamera& camera, const SpaceCamera& as, const ScreenBox& 
                  as.units_per_pixel() * std::max(size.x() / now.x(), size.y() / now.y()));
 }
 
-/// Names of the markers that are seen in their colours.
+/// Names and colours of the visible markers.
 std::vector<std::pair<std::string, Rgb>> key_of(const VolumeScenes& scenes,
                                                 const Topology& topology) {
   std::vector<std::pair<std::string, Rgb>> key;
@@ -64,13 +64,13 @@ std::vector<std::pair<std::string, Rgb>> key_of(const VolumeScenes& scenes,
 /// A picture being made.
 struct PicturePainter::Picture {
   std::unique_ptr<WindowFrame> frame;
-  bool kept = false;  ///< its frame is that of the picture before
+  bool kept = false;  ///< its frame is reused from the previous picture
   bool mesh_alone = false;
-  double turned = 0;  ///< the view of space
+  double turned = 0;  ///< rotation of the view of a volume mesh
   ViewOptions options;
   Camera view;
   SpaceCamera space;
-  ActionQueue actions;  ///< nobody carries them out
+  ActionQueue actions;  ///< not carried out
   PanelContext context;
   Lens lens;
 
@@ -121,7 +121,7 @@ Image PicturePainter::picture() {
   return image;
 }
 
-/// Letters of large pictures take tens of megabytes.
+/// The fonts of large pictures need tens of megabytes.
 void PicturePainter::forget_idle(double seconds) {
   constexpr double patience = 1;
   age_ += seconds;
@@ -133,7 +133,7 @@ void PicturePainter::forget_idle(double seconds) {
 ScreenVector PicturePainter::picture_extent(const PictureSpec& spec) const {
   const Area& v = shown_.window.layout.viewport;
   if (spec.panels) return ScreenVector(shown_.window.width, shown_.window.height);
-  // The mesh as large as it is on screen, with the legend's strip beside it.
+  // The mesh at its size on screen, with the legend's strip beside it.
   const float legend = spec.legend ? shown_.window.layout.legend.width : 0;
   return ScreenVector(v.width + legend, v.height);
 }
@@ -157,7 +157,7 @@ Image PicturePainter::picture(const PictureSpec& spec) {
   const double ratio = std::min({width / extent.x(), height / extent.y(), largest_picture_scale});
   const float unit = shown_.window.ui.theme().scale * static_cast<float>(ratio);
   const Bounds visible = shown_.view.visible();
-  // Colours must be those of this mesh, not of one a moment ago.
+  // The colours must match this mesh, not an earlier one.
   const ViewOptions& view = shown_.context.view;
   shown_.session.quality().measure_now(view.color, view.before);
 
@@ -196,7 +196,7 @@ std::unique_ptr<PicturePainter::Picture> PicturePainter::begin(const PictureSpec
   return picture;
 }
 
-/// The frame of a picture may serve the next, and what is drawn is the window's again. picture:
+/// Keeps the frame of a picture for the next one and restores the drawing of the window. picture:
 /// null if it could not be begun.
 void PicturePainter::end(std::unique_ptr<Picture> picture, unsigned framebuffer) {
   if (picture) last_ = std::move(picture->frame);
@@ -211,7 +211,7 @@ void PicturePainter::end(std::unique_ptr<Picture> picture, unsigned framebuffer)
 
 void PicturePainter::lay_out(Picture& picture, const Bounds& visible) {
   WindowFrame& frame = *picture.frame;
-  // Laying out the frame before this one may have replaced the mesh that the panels speak of.
+  // The layout of the previous frame may have replaced the mesh shown in the panels.
   picture.context.shown = shown_.pane.mesh_view().shown();
   frame.ui.begin(InputState{}, frame.width, frame.height, 1.0 / 60);
   if (picture.mesh_alone) {
@@ -241,7 +241,7 @@ void PicturePainter::lay_out(Picture& picture, const Bounds& visible) {
   shown_.regions.draw_over_mesh(
       picture.context, frame.layout.viewport,
       picture.mesh_alone ? Regions::Cards::none : Regions::Cards::of_the_mesh);
-  // A picture is of this mesh: here, unlike in a frame, what is prepared is waited for.
+  // A picture must show this mesh: unlike a frame, wait until it is prepared.
   ViewportPane& pane = shown_.pane;
   const auto update = [&] { pane.update(picture.options, view, scale); };
   for (update(); pane.mesh_view().busy(); update()) std::this_thread::yield();
@@ -249,7 +249,7 @@ void PicturePainter::lay_out(Picture& picture, const Bounds& visible) {
                      {picture.context, view, frame.layout, picture.lens,
                       in_space ? &picture.space : nullptr, picture.mesh_alone});
   frame.ui.end();
-  picture.actions.clear();  // nobody pressed anything
+  picture.actions.clear();  // a picture has no user input
 }
 
 Image PicturePainter::paint_tiles(Picture& picture, bool transparent) {
@@ -334,7 +334,7 @@ VectorFigure PicturePainter::figure(bool legend) const {
   return figure;
 }
 
-/// The mesh now, as it is looked at. Where too much is seen for polygons, pixels.
+/// The present view of the mesh; as a raster image if there are too many polygons.
 VectorFigure PicturePainter::space_figure(bool legend) const {
   VectorFigure figure;
   const Session& session = shown_.session;
@@ -366,7 +366,7 @@ VectorFigure PicturePainter::space_figure(bool legend) const {
   return figure;
 }
 
-/// What a camera sees, in pixels several times as fine as points.
+/// The view of a camera as a raster image, with several pixels per point.
 Image PicturePainter::raster_of(SpaceCamera camera) const {
   constexpr double finest = 3;
   const ScreenVector size = camera.viewport().size();

@@ -13,7 +13,7 @@ namespace winslow::gui {
 
 namespace {
 
-// None takes the focus as it appears: what the mouse holds in another would be let go of.
+// No region takes the focus when it appears, since this would end a drag in another one.
 constexpr ImGuiWindowFlags fixed =
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
@@ -24,8 +24,8 @@ struct RegionStyle {
   ImU32 background = palette().panel;
   ImGuiWindowFlags flags = 0;
 };
-/// A window of Dear ImGui that fills an area of the layout: widgets up to end_region() stand in it.
-/// name: no other region has it.
+/// Begins an ImGui window that fills an area of the layout and contains the widgets up to
+/// end_region(). name: unique.
 void begin_region(const char* name, const Area& area, const RegionStyle& style) {
   ImGui::SetNextWindowPos(ImVec2(area.x, area.y));
   ImGui::SetNextWindowSize(ImVec2(area.width, area.height));
@@ -35,7 +35,7 @@ void begin_region(const char* name, const Area& area, const RegionStyle& style) 
   ImGui::Begin(name, nullptr, fixed | style.flags);
 }
 
-/// A line along the sides, or nothing.
+/// Border of a region.
 enum class RegionEdge { line, none };
 void end_region(RegionEdge edge = RegionEdge::line) {
   const ImVec2 min = ImGui::GetWindowPos();
@@ -52,7 +52,7 @@ void end_region(RegionEdge edge = RegionEdge::line) {
   ImGui::PopStyleColor();
 }
 
-/// A part of the column on the left.
+/// A part of the left column.
 struct LeftPart {
   const char* section;
   const char* label;
@@ -89,7 +89,7 @@ void end_strip() {
   end_region();
 }
 
-/// A narrow button that points the way the column goes.
+/// A narrow button that points in the direction in which the column folds.
 bool fold_handle(const char* id, const Theme& theme, const ImVec2& min, ImGuiDir way,
                  const char* tooltip) {
   const ImVec2 size(theme.px(12), theme.px(48));
@@ -112,14 +112,14 @@ bool fold_handle(const char* id, const Theme& theme, const ImVec2& min, ImGuiDir
   return pressed;
 }
 
-/// As ui::tabs() names it.
+/// The id of a tab in ui::tabs().
 std::string tab_id(std::string label) {
   std::ranges::transform(label, label.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return "tab/" + label;
 }
 
-/// A tab of the column on the right.
+/// A tab of the right column.
 struct SideTabInfo {
   SideTab which;
   std::string label, tooltip;
@@ -137,8 +137,7 @@ std::span<const SideTabInfo> side_tabs() {
   return tabs;
 }
 
-// The columns beside the mesh where they are folded: a strip of icons, each of which opens the
-// column at one of its parts.
+// Folded columns beside the mesh: a strip of icons, each of which opens the column at one part.
 
 void draw_folded_left(const PanelContext& context, const Area& area) {
   begin_strip("folded/left", context.theme, area);
@@ -159,8 +158,8 @@ void draw_folded_right(const PanelContext& context, const Area& area) {
     const bool present = tab.which == context.view.side_tab;
     std::string id = "open/tab/" + tab.label;
     const bool pressed = icon_button(context.theme, id, tab.icon, tab.label, tab.tooltip, present);
-    // Scripts find it by the tab's own name, too: whether there is room for the column depends on
-    // the window.
+    // Also note the tab's id, since the column may be folded or open depending on the window's
+    // size.
     ui::note(tab_id(tab.label));
     if (!pressed) continue;
     context.edit_view([&](ViewOptions& view) {
@@ -176,7 +175,7 @@ void draw_fold_handles(const PanelContext& context, const Layout& layout) {
   const Theme& theme = context.theme;
   const Area& l = layout.left;
   const Area& r = layout.right;
-  // Half way up the view: a strip below it would cover them in a low window.
+  // At half the height of the view, where the strip below does not cover them in a low window.
   const Area& view = layout.viewport;
   const float top = view.y + view.height / 2 - theme.px(24);
   if (!l.empty() && layout.columns.left_open &&
@@ -189,7 +188,7 @@ void draw_fold_handles(const PanelContext& context, const Layout& layout) {
     context.edit_view([&](ViewOptions& v) { fold_right(v, context.view_state.columns); });
 }
 
-/// A strip that is dragged; returns by how many pixels.
+/// A strip that can be dragged; returns the pixels by which it was dragged.
 float splitter(const char* name, const Area& area, bool upright) {
   begin_region(name, area, {ImVec2(0, 0), IM_COL32(0, 0, 0, 0), ImGuiWindowFlags_NoBackground});
   ImGui::InvisibleButton("grip", ImVec2(area.width, area.height));
@@ -232,7 +231,7 @@ void Regions::draw_menu(const PanelContext& context, WindowFrame& frame) const {
     draw_panels(context, Region::menu);
     ImGui::EndMainMenuBar();
   }
-  // The welcome page needs the room, and without a mesh the panels have nothing to say.
+  // The welcome page needs the space, and without a mesh the panels are empty.
   const bool page = shows_welcome(context.session);
   frame.layout.plot_empty = convergence_empty(context);
   frame.layout.arrange(frame.width, frame.height, context.view, context.theme, height,
@@ -278,7 +277,7 @@ std::optional<float> Regions::drag_splitters(const PanelContext& context, Layout
   const Area& l = layout.left;
   const Area& r = layout.right;
   const Area& p = layout.plot;
-  // A column grows as far as the other one leaves room.
+  // A column can grow only into the space left by the other one.
   const float budget = Layout::most_columns * layout.toolbar.width;
   if (!l.empty() && layout.columns.left_open) {
     const float by =
@@ -304,7 +303,7 @@ std::optional<float> Regions::drag_splitters(const PanelContext& context, Layout
 void Regions::draw_over_mesh(const PanelContext& context, const Area& v, Cards cards) {
   const Theme& theme = context.theme;
   if (shows_welcome(context.session)) {
-    // In the middle of a large window rather than in its corner.
+    // Centred in a large window.
     const float side = (v.width - theme.px(WelcomePanel::page_width)) / 2;
     const float top = (v.height - theme.px(WelcomePanel::page_height)) / 3;
     begin_region(
@@ -317,7 +316,7 @@ void Regions::draw_over_mesh(const PanelContext& context, const Area& v, Cards c
   if (cards == Cards::all) draw_recording(context, v);
   if (context.demo.demo() && cards == Cards::all) draw_demo_card(context, v);
   if (!context.session.messages().banner() || cards == Cards::none) return;
-  // It speaks of the mesh: of one that is seen.
+  // The banner must refer to the mesh in the picture.
   if (!context.picture_follows()) return;
   const Banner::Kind kind = context.session.messages().banner()->kind;
   const bool bad = kind == Banner::Kind::inverted_result || kind == Banner::Kind::inverted_input;

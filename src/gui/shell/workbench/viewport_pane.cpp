@@ -34,7 +34,7 @@ PointerState pointer_of(const InputState& input, bool over) {
   return pointer;
 }
 
-/// Markers that the mouse must not take: hidden or locked.
+/// Markers that the mouse cannot select: hidden or locked.
 std::vector<Index> taken_out(const Session& session, const MarkerLooks& looks) {
   std::vector<Index> markers;
   if (!session.document() || looks.by_name.empty()) return markers;
@@ -113,8 +113,8 @@ void ViewportPane::drive(const InputState& input, const PanelContext& context,
                                                     input.mouse, over, scale));
 }
 
-/// Over the mesh before, beside the one now, the mouse turns, pans and zooms both as if it were at
-/// the same place of the mesh now; what it is over is not of the mesh now, and cannot be picked.
+/// Over the earlier mesh, shown beside the present one, the mouse rotates, pans and zooms both as
+/// at the corresponding place of the present mesh. Items there cannot be picked.
 bool ViewportPane::take_from_beside(PointerState& pointer) {
   const bool split = control_.options().comparison == Comparison::split;
   if (!split || !session_.in_space()) return beside_held_ = false;
@@ -128,7 +128,8 @@ bool ViewportPane::take_from_beside(PointerState& pointer) {
   return true;
 }
 
-/// The legend's strip lies beside the mesh: pointer.over says that nothing else has the mouse.
+/// Passes the mouse to the legend, whose strip lies beside the mesh. pointer.over: no other window
+/// uses the mouse.
 void ViewportPane::take_for_legend(PointerState& pointer, const PanelContext& context,
                                    const Layout& layout) {
   const auto x = static_cast<float>(pointer.position.x());
@@ -142,7 +143,7 @@ void ViewportPane::take_for_legend(PointerState& pointer, const PanelContext& co
   pointer.over = over_mesh && !taken;
 }
 
-/// The magnifier lies over the mesh and takes the wheel.
+/// Passes the mouse wheel to the magnifier, which lies over the mesh.
 void ViewportPane::take_for_lens(PointerState& pointer, const PanelContext& context) {
   const auto& lens = lens_.inset();
   const bool in_lens = lens && lens->frame().contains(pointer.position);
@@ -156,14 +157,14 @@ void ViewportPane::take_for_lens(PointerState& pointer, const PanelContext& cont
   if (in_lens && lens->pinned) pointer.over = false;
 }
 
-/// Clicks are the ruler's while it is out; drags and the wheel go on moving the view.
+/// While the ruler is on, clicks measure; drags and the wheel still move the view.
 void ViewportPane::measure(const PointerFrame& frame, bool beside) {
   if (!control_.state().ruler || !session_.document()) return ruler_.clear();
   const auto under = beside ? std::nullopt : viewport_.picker().ruler_point(frame);
   ruler_.update(frame.pointer, under, frame.scene.scale, session_);
 }
 
-/// At the end of the second click: one who presses twice and then drags wants to drag.
+/// Zooms when the second click ends, since a second press may begin a drag.
 void ViewportPane::zoom_to_double_click(const PointerState& pointer, const PanelContext& context) {
   const bool plain = !pointer.shift && !pointer.control && !pointer.click_taken;
   const bool second = pointer.over && plain && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
@@ -198,7 +199,7 @@ void ViewportPane::update(const ViewOptions& options, const View& view, float sc
   mesh_view_.set_divider(view.to_plane(ScreenPoint(middle, 0)).x());
 }
 
-/// What the mouse does at present, above the axes.
+/// Draws the present mode of the mouse, above the axes.
 void ViewportPane::draw_space_mode(ImDrawList& list, const ViewOverlay& o) const {
   const std::string text = mode_text(session_, o.state);
   if (text.empty()) return;
@@ -211,7 +212,7 @@ void ViewportPane::draw_space_mode(ImDrawList& list, const ViewOverlay& o) const
             static_cast<float>(seen.size().x()) - 2 * margin, text);
 }
 
-/// What belongs to the mesh, in pictures of it, too.
+/// Draws overlays that belong to the mesh and also appear in pictures.
 void ViewportPane::draw_marks(ImDrawList& list, const MeshFrame& frame,
                               const ViewOverlay& overlay) {
   const VolumeView& picture = mesh_view_.volume();
@@ -231,11 +232,11 @@ void ViewportPane::draw_overlays(ImDrawList& list, const MeshFrame& frame) {
   const PanelContext& context = frame.context;
   const Theme& theme = context.theme;
   const ViewOverlay overlay{session_, context.view, context.view_state, frame.view, theme};
-  // What is for the mouse's sake: a picture of the mesh alone has none of it.
+  // Handles for the mouse, omitted in a picture of the mesh alone.
   const ViewportScene shown = scene(static_cast<double>(theme.scale));
   const Overlay handles{overlay, viewport_, shown};
-  // What belongs to the mesh ends where its picture does: the legend's strip lies beside it, and
-  // the mesh before that is compared with it.
+  // Clip overlays of the mesh to its view, beside which lie the legend's strip and the compared
+  // mesh.
   const auto clip = [&] {
     const ScreenBox seen = frame.view.viewport();
     list.PushClipRect(static_cast<ImVec2>(seen.min), static_cast<ImVec2>(seen.max), true);
@@ -246,7 +247,7 @@ void ViewportPane::draw_overlays(ImDrawList& list, const MeshFrame& frame) {
   draw_marks(list, frame, overlay);
   list.PopClipRect();
   draw_comparison(list, context.view, theme, box_of(room_under_banner(frame)));
-  // That of a picture has another place: the mouse knows the window's.
+  // A picture needs a separate legend card: the mouse acts on that of the window.
   LegendCard of_picture;
   LegendCard& legend = &frame.lens == &lens_ ? legend_card_ : of_picture;
   draw_legend(list, frame, legend);
@@ -254,10 +255,10 @@ void ViewportPane::draw_overlays(ImDrawList& list, const MeshFrame& frame) {
     draw_foot(list, frame, overlay, legend);
   else if (!frame.mesh_alone)
     draw_space_mode(list, overlay);
-  // Nothing covers what the mouse is about to take hold of, nor what it says of it.
+  // Handles and their labels are drawn above everything else.
   clip();
   if (!frame.mesh_alone) draw_handles(list, handles);
-  // What is measured lies over what is said of the ruler.
+  // Draw the measurement above the hint on the ruler.
   if (context.view_state.ruler && !frame.mesh_alone) draw_ruler(list, overlay, ruler_);
   list.PopClipRect();
   frame.lens.draw(list, overlay);
@@ -283,7 +284,7 @@ Area ViewportPane::room_under_banner(const MeshFrame& frame) const {
   return area;
 }
 
-/// Above a card at the foot, beside a pinned magnifier or a legend in that corner.
+/// Draws the foot above a card, and beside a pinned magnifier or a legend in that corner.
 void ViewportPane::draw_foot(ImDrawList& list, const MeshFrame& frame, const ViewOverlay& overlay,
                              const LegendCard& card) const {
   ScreenBox room = frame.view.viewport();

@@ -10,7 +10,7 @@ namespace winslow::gui {
 
 namespace {
 
-// Held longer than this, the magnifier's key is let go of to be rid of it.
+// If its key is held longer than this, releasing it switches the magnifier off.
 constexpr float tap_seconds = 0.4f;
 
 bool magnifier_let_go() {
@@ -22,8 +22,8 @@ bool popup_open() {
   return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
-/// Esc closes an open list or menu, and does nothing else then. Dear ImGui does so only where the
-/// keyboard moves through its widgets.
+/// Makes Esc close an open list or menu, without other effects. Dear ImGui does this only with
+/// keyboard navigation.
 void close_list() {
   ImGuiContext& g = *ImGui::GetCurrentContext();
   if (g.OpenPopupStack.empty() || !ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) return;
@@ -80,7 +80,7 @@ void Workbench::update(InputQueue& queue, int width, int height, double seconds)
   window_.height = std::max(height, 1);
   poll();
   if (auto next = session_.files().take_next()) actions_.push_back(std::move(*next));
-  // Before the panels are laid out, which speak of the mesh in the picture.
+  // Call this before the layout of the panels, which refer to the mesh in the picture.
   pane_.follow_mesh(view_control_.options(), theme().scale);
   const ViewOptions& view = view_control_.options();
   view_control_.scale().set_window(window_.width, window_.height);
@@ -134,7 +134,7 @@ void Workbench::take_input(const InputState& input) {
 
 void Workbench::dispatch() {
   view_control_.end_requests();
-  // Actions may bring forth others (a choice in a dialog); those come in the same frame.
+  // Actions may add others (a choice in a dialog), which are carried out in the same frame.
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     const Action action = actions_[i];
     apply(action);
@@ -145,7 +145,7 @@ void Workbench::dispatch() {
 void Workbench::finish_frame() {
   if (view_control_.look_at_another()) regions_.welcome().close();
   pane_.measure_selection();
-  // The first picture of a large mesh has the processors for itself.
+  // No measurement runs during the first picture of a large mesh.
   if (!session_.in_space() || pane_.mesh_view().shown())
     session_.quality().watch(view_control_.options().color, view_control_.options().before);
   pane_.update(view_control_.options(), view_control_.view(), theme().scale);

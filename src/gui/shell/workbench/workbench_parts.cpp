@@ -47,7 +47,7 @@ Settings settings_of(const ViewControl& view, const WindowFrame& window,
   settings.views = view.space().views(view.options());
   settings.recent = recent.paths();
   const float scale = view.scale().screen();
-  // The screen's own scale: a window has its size whatever the user makes of what is in it.
+  // Use the screen's scale: the size of the window does not depend on the user's scale.
   settings.window = {static_cast<int>(std::lround(static_cast<float>(window.width) / scale)),
                      static_cast<int>(std::lround(static_cast<float>(window.height) / scale))};
   return settings;
