@@ -10,8 +10,8 @@ namespace winslow::gui {
 
 namespace {
 
-/// A command as a button: icon and word where there is room, the icon alone where there is not, the
-/// word alone where the icon font is missing.
+/// Draws a command as a button: icon and word if there is room, otherwise only the icon; only the
+/// word if the icon font is missing.
 enum class Word { where_room, where_no_icon };
 void tool(const PanelContext& context, std::string_view id, Icon icon, const std::string& word,
           Word when = Word::where_room) {
@@ -43,7 +43,7 @@ struct State {
   ImU32 color;
 };
 
-/// What a click does where nothing is under way.
+/// The effect of a click while no work is in progress.
 State mode_of(const PanelContext& context) {
   if (context.view_state.ruler) return {"Ruler", palette().accent};
   if (context.view_state.box_zoom_armed) return {"Zoom to a box", palette().accent};
@@ -52,13 +52,13 @@ State mode_of(const PanelContext& context) {
   return {"Ready", palette().text_dim};
 }
 
-/// Digits after the decimal point that tell one pixel from the next.
+/// A coordinate with enough decimals to distinguish adjacent pixels.
 std::string coordinate(double value, double pixel) {
   const int digits = std::clamp(static_cast<int>(std::ceil(-std::log10(pixel))), 0, 15);
   return formatted(value, ("%." + std::to_string(digits) + "f").c_str());
 }
 
-/// "slat   e120   x 1.20   y 0.30   z 0.00"; of a plane mesh the place alone.
+/// "slat   e120   x 1.20   y 0.30   z 0.00"; for a plane mesh only the coordinates.
 std::string under_mouse(const PanelContext& context) {
   const auto& cursor = context.view_state.cursor;
   const auto& seen = context.view_state.seen;
@@ -79,7 +79,8 @@ std::string under_mouse(const PanelContext& context) {
   return text;
 }
 
-/// At the right end, where it takes room from the notice alone. Returns where it begins.
+/// Draws the position at the right end, where it reduces only the room of the notice. Returns its
+/// left end.
 float draw_cursor(const PanelContext& context) {
   const float end = ImGui::GetWindowContentRegionMax().x;
   const std::string text = under_mouse(context);
@@ -92,7 +93,7 @@ float draw_cursor(const PanelContext& context) {
   ui::note("status/cursor");
   ui::tooltip("What is under the mouse, and where that is, in units of the mesh.");
   ImGui::SetCursorPos(ImVec2(back, line));
-  // Steps, so that what stands left of it does not tremble with every digit.
+  // Rounded to steps, so that items to the left do not move with every digit.
   const float step = context.theme.px(40);
   return end - std::ceil((width + context.theme.px(12)) / step) * step;
 }
@@ -148,7 +149,7 @@ void draw_toolbar(const PanelContext& context) {
   tool(context, "step", Icon::step, "Step");
   tool(context, "cancel", Icon::stop, "Cancel");
   gap(context);
-  // Everybody knows these arrows, from every browser.
+  // These arrows are well known from browsers.
   tool(context, "view_back", Icon::back, "Back", Word::where_no_icon);
   tool(context, "view_forward", Icon::forward, "Forward", Word::where_no_icon);
   tool(context, "fit", Icon::fit, "Fit");
@@ -163,7 +164,7 @@ void draw_toolbar(const PanelContext& context) {
   ImGui::NewLine();
 }
 
-/// One line: the mesh, its quality, what the solver does.
+/// One line: the mesh, its quality, the solver's activity.
 void draw_status(const PanelContext& context) {
   ImGui::PushFont(context.theme.small);
   const float end = draw_cursor(context);

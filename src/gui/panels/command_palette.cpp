@@ -43,7 +43,7 @@ std::vector<CommandPalette::Row> CommandPalette::rows(const PanelContext& contex
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Row& a, const Row& b) { return a.score > b.score; });
-  // Letters are for what no words find: they fit too much.
+  // Use matches by letters only if no command matches by words, since they match too many commands.
   if (!query_.empty() && !found.empty() && found.front().score >= found_by_words)
     std::erase_if(found, [](const Row& row) { return row.score < found_by_words; });
   return found;
@@ -131,7 +131,7 @@ bool CommandPalette::draw_row(const PanelContext& context, const Row& row, bool 
   ui::tooltip(row.command.tooltip);
   const bool can = row.reason.empty();
   const float pad = theme.px(8);
-  // At the right its keys, or why it cannot be run; before them where it is to be found.
+  // At the right the keys, or why it is unavailable; left of them the menu that contains it.
   const std::string right = can ? chords_text(row.command.keys) : row.reason;
   const float right_width = ImGui::CalcTextSize(right.c_str()).x;
   const float y = start.y + theme.px(6);

@@ -12,21 +12,21 @@ namespace winslow::gui {
 
 namespace {
 
-/// Which curves are drawn.
+/// The visible curves.
 struct PlotSeries {
   bool residual = true, move = true, inverted = true, sine = true;
 };
 
-/// A convergence history: residual and largest move on a logarithmic axis with the tolerance as a
-/// line; below, where there is room, the number of inverted elements (left axis) and the smallest
-/// sine (right axis). The mouse over it reads out one iteration.
+/// A convergence history: residual and largest move on a logarithmic axis, with the tolerance as a
+/// line. Below, if there is room: the number of inverted elements (left axis) and the smallest sine
+/// (right axis). The mouse reads out one iteration.
 struct ConvergencePlot {
   std::span<const IterationRecord> history;
   std::optional<double> tolerance;
   PlotSeries series;
 };
 
-// A function each, since the colours change with the look.
+// Functions, since the colours depend on the palette.
 ImU32 residual_color() { return palette().accent; }
 ImU32 move_color() { return palette().move_line; }
 ImU32 inverted_color() { return palette().danger; }
@@ -41,7 +41,7 @@ std::vector<double> whole_ticks(double low, double high, int wanted) {
   return ticks;
 }
 
-/// The two strips, their axes, and what is drawn in them.
+/// Draws the two strips, their axes and their curves.
 class Drawing {
  public:
   Drawing(const ConvergencePlot& plot, const ImVec2& min, const ImVec2& max, float scale)
@@ -50,7 +50,7 @@ class Drawing {
     const float height = max.y - min.y - 36 * scale;
     lower_shown_ = wants_lower && height > 96 * scale;
     top_.min = ImVec2(min.x + 54 * scale, min.y + 8 * scale);
-    // Beside the frame, where no curve runs, there is room for the name of the tolerance.
+    // Leave room beside the frame for the name of the tolerance.
     top_.max = ImVec2(max.x - 72 * scale, max.y - 36 * scale);
     if (!plot.history.empty()) {
       top_.first = plot.history.front().iteration;
@@ -60,7 +60,7 @@ class Drawing {
     }
     bottom_ = top_;
     if (lower_shown_) {
-      // The lowest number of the one stands above the highest of the other.
+      // The lowest number of the upper strip is above the highest of the lower strip.
       const float gap = ImGui::GetTextLineHeight() + 2 * scale;
       top_.max.y = top_.min.y + 0.6f * (top_.max.y - top_.min.y - gap);
       bottom_.min.y = top_.max.y + gap;
@@ -127,7 +127,7 @@ class Drawing {
     list_.PopClipRect();
   }
 
-  /// A line for each decade that has three pixels, and names for as many as there is room for.
+  /// Draws a line for each decade of at least three pixels, and as many labels as fit.
   void draw_decades() {
     const float height = top_.max.y - top_.min.y;
     const double decades = values_.high - values_.low;
@@ -166,7 +166,7 @@ class Drawing {
 
   void draw_points(const std::vector<ImVec2>& all, ImU32 color, float width) {
     const std::vector<ImVec2> points = decimated(all);
-    // One by one: a polyline smears where two records of one iteration lie above one another.
+    // Line by line: a polyline is smeared if two records of one iteration lie above one another.
     for (std::size_t k = 1; k < points.size(); ++k)
       list_.AddLine(points[k - 1], points[k], color, width * scale_);
     if (points.size() <= 40)
@@ -187,7 +187,7 @@ class Drawing {
     list_.PopClipRect();
   }
 
-  /// Blocks, one for each column of pixels at most.
+  /// Draws blocks, at most one per column of pixels.
   void draw_inverted() {
     const auto& history = plot_.history;
     for (std::size_t i = 0; i < history.size();) {
@@ -205,7 +205,7 @@ class Drawing {
     }
   }
 
-  /// Of the lower strip: inverted elements at its left, sines at its right.
+  /// Draws the axes of the lower strip: inverted elements at its left, sines at its right.
   void draw_numbers() {
     if (!lower_shown_ || plot_.history.empty()) return;
     const int rows = std::max(2, static_cast<int>((bottom_.max.y - bottom_.min.y) / (24 * scale_)));
@@ -244,7 +244,7 @@ void draw_readout(const IterationRecord& r) {
   ImGui::EndTooltip();
 }
 
-/// One line that names the curves; a click shows or hides one. Its entries have the ids
+/// Draws a line that names the curves; a click shows or hides one. Its entries have the ids
 /// ID/residual, ID/move, ID/inverted and ID/sine.
 void draw_convergence_key(std::string_view id, PlotSeries& series, float scale) {
   struct Entry {
@@ -301,7 +301,8 @@ void draw_convergence_plot(std::string_view id, const ConvergencePlot& plot, con
   draw_readout(*record);
 }
 
-/// The command whose iterations are shown: of the job, or that led to the mesh; null: none did.
+/// The command whose iterations are shown: that of the job, or the one that led to the mesh; null:
+/// none.
 const Command* command_shown(const LiveMesh& mesh) {
   if (mesh.work().job().active()) return &mesh.work().job().command();
   const Document* document = mesh.document();
@@ -309,14 +310,14 @@ const Command* command_shown(const LiveMesh& mesh) {
   return &document->history().command(document->history().position());
 }
 
-/// Tolerance that the iterations shown were to reach: that of their command, or of the next one.
+/// Tolerance of the shown iterations: that of their command, or else of the next one.
 double tolerance_of(const LiveMesh& mesh, const SmoothOptions& next) {
   const Command* command = command_shown(mesh);
   const SmoothOptions* options = command ? smooth_options(*command) : nullptr;
   return (options ? *options : next).tolerance;
 }
 
-/// The iterations of the job under way, or of the command that led to the present mesh.
+/// Shows the iterations of the running job, or of the command that led to the present mesh.
 class ConvergencePanel {
  public:
   void draw(const PanelContext& context) {
@@ -327,7 +328,7 @@ class ConvergencePanel {
     ImVec2 size = ImGui::GetContentRegionAvail();
     size.x = std::max(size.x, 1.0f);
     size.y = std::max(size.y, 1.0f);
-    // A field being typed in holds all sorts of numbers.
+    // An active text field may contain any number.
     const double tolerance =
         tolerance_of(session.mesh(), session.solver_settings().smooth_options());
     ConvergencePlot plot{history, {}, series_};
@@ -377,7 +378,7 @@ bool convergence_empty(const PanelContext& context) {
   if (context.session.job().active()) return false;
   const Document* document = context.session.document();
   if (!document) return true;
-  // Of the whole history, so that the mesh does not jump when steps are undone.
+  // Check the whole history, so that undo does not change the layout.
   const History& history = document->history();
   for (std::size_t k = 1; k < history.size(); ++k)
     if (!history.result(k).history.empty()) return false;

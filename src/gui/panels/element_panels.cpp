@@ -17,12 +17,12 @@ const char* hint_of(MeshKind kind) {
                                   : "n123, e45, 0.5, 0.1, 2 ...";
 }
 
-/// Goes to a node, an element or a face by its id, and says what it is.
+/// Goes to a node, an element or a face by its id, and describes it.
 class GoToPanel {
  public:
   void draw(const PanelContext& context) {
     if (!context.session.document()) return;
-    // Asked for by its key, the field must not be folded away.
+    // Unfold the section if the field was requested by its key.
     if (context.view_state.go_to_wanted) ui::unfold("section/go_to");
     if (!ui::section("section/go_to", "Go to")) return;
     draw_field(context);
@@ -43,7 +43,7 @@ class GoToPanel {
     const float go = context.theme.px(44);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - go -
                             ImGui::GetStyle().ItemInnerSpacing.x);
-    // What is typed next is another place, not more of the last one.
+    // Newly typed text replaces the previous id.
     bool wanted = ImGui::InputTextWithHint(
         "##go_to", hint_of(context.session.kind()), text_.data(), text_.size(),
         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
@@ -94,7 +94,7 @@ class GoToPanel {
 
   std::array<char, 128> text_{};
   std::string error_;
-  // What is said of an item, until it or the mesh is another.
+  // Description of an item, valid until the item or the mesh changes.
   std::optional<MeshItem> described_;
   std::uint64_t generation_ = 0, shape_ = 0;
   std::vector<std::pair<std::string, std::string>> lines_;
@@ -178,7 +178,7 @@ class WorstPanel {
   }
 
   void draw_list(const PanelContext& context) {
-    // A row must not become another while the mouse is about to click it.
+    // The rows must not change while the mouse is over the list.
     const auto latest = worst_elements(context.session, context.view);
     const ElementField field = worst_field(context.view, context.session.kind());
     const bool held = hovered_ && list_generation_ == context.session.generation() &&
@@ -215,7 +215,7 @@ class WorstPanel {
     const auto& measured = context.session.quality().latest();
     const bool waits = !measured || (field.surface() && !measured->deviation);
     if (worst.empty()) ui::text_dim(waits ? "Measuring ..." : "No element has it.");
-    // Also while a row is held down: it is the click's end that counts.
+    // Also while a mouse button is held on a row, since a click acts on release.
     hovered_ = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     ImGui::EndChild();
     ui::note("worst/list");
@@ -226,12 +226,12 @@ class WorstPanel {
   std::uint64_t list_generation_ = 0;
   ElementField list_field_ = Metric::normalized_jacobian;
   bool hovered_ = false;                 // in the last frame
-  std::optional<MeshItem> scrolled_to_;  // the list is scrolled once to what comes into focus
+  std::optional<MeshItem> scrolled_to_;  // the list is scrolled once to a newly focused item
 };
 
 }  // namespace
 
-/// Isolates the elements on one side of a threshold of the metric that is shown.
+/// Isolates the elements on one side of a threshold of the shown metric.
 void draw_isolation(const PanelContext& context) {
   if (!context.session.document() || !ui::section("section/isolate", "Isolate")) return;
   if (!context.view.color) return ui::text_dim("Colour the elements by a metric first (View).");

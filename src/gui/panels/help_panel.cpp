@@ -15,7 +15,7 @@ struct Block {
   std::vector<Line> lines;
 };
 
-/// What the mouse does in the picture.
+/// A mouse action in the picture.
 struct Gesture {
   const char *how, *what;
   MeshKinds serves = all_meshes;
@@ -68,7 +68,7 @@ std::span<const Gesture> mouse_gestures() {
   return gestures;
 }
 
-/// What is for meshes of another kind is left out.
+/// The blocks of the list, without entries for other kinds of meshes.
 std::vector<Block> blocks(MeshKind kind) {
   std::vector<Block> all;
   for (const CommandGroup group : command_groups) {
@@ -85,7 +85,8 @@ std::vector<Block> blocks(MeshKind kind) {
   return all;
 }
 
-/// Blocks side by side, none cut in two: each goes where there is most room, the longest first.
+/// Distributes whole blocks over columns: each, the longest first, goes to the column with most
+/// room.
 std::vector<std::vector<Block>> columns_of(std::vector<Block> all, std::size_t count) {
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& a, const auto& b) { return a.lines.size() > b.lines.size(); });
@@ -107,7 +108,7 @@ void draw_block(const Theme& theme, const Block& block, float width) {
   const float split = 0.42f * width;
   for (const Line& line : block.lines) {
     ui::text_colored(palette().text, line.keys);
-    // Within a group, SameLine counts from where the group begins.
+    // Within a group, SameLine is relative to the start of the group.
     ImGui::SameLine(std::max(split, ImGui::GetItemRectSize().x + theme.px(10)));
     ui::text_dim(line.what);
   }

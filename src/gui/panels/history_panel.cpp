@@ -50,7 +50,7 @@ Icon icon_of(const Document& document, std::size_t position) {
 
 bool went_badly(const SmoothResult& result) { return result.inverted > 0 || !result.converged; }
 
-/// Why a command cannot be run; empty if it can.
+/// Why a command is invalid; empty: it is valid.
 std::string fault(Command command) {
   try {
     std::visit([](auto& of) { check(option_table(of)); }, command);
@@ -61,8 +61,8 @@ std::string fault(Command command) {
   return {};
 }
 
-/// The commands applied so far: to go back to any of them, to change one and run those after it
-/// again, to write them as a recipe.
+/// The list of applied commands. The user can go to any of them, edit one and rerun those after it,
+/// or export them as a recipe.
 class HistoryPanel {
  public:
   void draw(const PanelContext& context) {
@@ -84,7 +84,7 @@ class HistoryPanel {
     for (std::size_t k = 0; k < size; ++k) draw_step(context, k);
     if (shown_size_ != size) ImGui::SetScrollHereY(1.0f);
     shown_size_ = size;
-    ImGui::PopStyleVar(2);  // before the list ends: what follows keeps its distance
+    ImGui::PopStyleVar(2);  // before the end of the list: later items keep their spacing
     ImGui::EndChild();
   }
 
@@ -122,8 +122,7 @@ class HistoryPanel {
                            context.theme.px(3.5f), ink);
     else
       list.AddText(ImVec2(start.x + pad, start.y + pad), ink, glyph.c_str());
-    // How many iterations, and how long: in columns of their own, which leave their room to the
-    // title where there is nothing to say.
+    // Number of iterations and duration in separate columns; if empty, the title uses their space.
     float right = end.x - pad;
     const auto column = [&](const std::string& text, float width) {
       if (text.empty()) return;
@@ -140,9 +139,9 @@ class HistoryPanel {
                  text.c_str());
   }
 
-  /// Of a right click on the step.
+  /// Draws the context menu of a step.
   static void draw_menu(const PanelContext& context, std::size_t position, const std::string& id) {
-    // The list has no gaps; its menu has.
+    // The list has no spacing; restore it for the menu.
     const float gap = context.theme.px(8);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(gap, gap));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
@@ -254,7 +253,7 @@ std::string StepEditor::reference() {
 void StepEditor::set_reference(const std::filesystem::path& file) {
   SmoothOptions* options = smooth_options(command_);
   if (!open_ || !options) return;
-  // Recipes and sessions are read elsewhere.
+  // Recipes and sessions may be read from another working folder.
   std::error_code failed;
   const std::filesystem::path whole = std::filesystem::absolute(file, failed);
   options->slide.reference = (failed ? file : whole.lexically_normal()).string();
@@ -269,7 +268,7 @@ void StepEditor::draw_fields(const PanelContext& context) {
     ui::command_form("edit", command_, kind);
     return;
   }
-  // It has a row of its own, which can choose a file.
+  // The reference has a separate row, which can choose a file.
   const std::string name = std::exchange(options->slide.reference, {});
   ui::command_form("edit", command_, kind);
   options = smooth_options(command_);
@@ -306,7 +305,7 @@ void StepEditor::draw(const PanelContext& context) {
   ImGui::EndChild();
   draw_footer(context);
   if (aside_) ImGui::CloseCurrentPopup();
-  // A file was dropped on the window meanwhile.
+  // Another mesh was opened meanwhile, by a dropped file.
   if (generation_ != context.session.generation()) close();
 }
 

@@ -7,10 +7,11 @@ namespace {
 // In units of the layout.
 constexpr float folded_width = 40;
 constexpr float empty_plot = 40;                      // a strip with its title
-constexpr float least_left = 252, least_right = 284;  // nothing is cut in them
-/// Strip of the legend, with the histogram and without; below the last the mesh needs all there is.
+constexpr float least_left = 252, least_right = 284;  // no content is clipped
+/// Width of the legend's strip with and without the histogram; in a view below `least_view` there
+/// is no strip.
 constexpr float roomy_strip = 132, narrow_strip = 94, least_view = 230;
-/// Width of the mesh and the strip together from which the histogram has room.
+/// Least total width of mesh and strip for which the histogram is shown.
 constexpr float roomy_view = 620;
 
 }  // namespace
@@ -47,7 +48,7 @@ void Layout::arrange_mesh(int width, int height, const ViewOptions& view, const 
   split_off_legend(view, theme);
 }
 
-/// The mesh matters more than what is said about it: the columns share less than half of the width.
+/// Limits both columns together to less than half of the width, since the mesh is more important.
 void Layout::arrange_columns(float width, const ViewOptions& view, const Theme& theme) {
   left_width = std::clamp(left_width, least_left, 480.0f);
   right_width = std::clamp(right_width, least_right, 520.0f);
@@ -66,7 +67,7 @@ void Layout::arrange_columns(float width, const ViewOptions& view, const Theme& 
     open.width = std::max(open.width - excess, fold);
     return;
   }
-  // Each gives up its part of what it has beyond its least width.
+  // Each column shrinks in proportion to its excess over its least width.
   const float spare_left = left.width - theme.px(least_left);
   const float spare_right = right.width - theme.px(least_right);
   const float share = excess / (spare_left + spare_right);

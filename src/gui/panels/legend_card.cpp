@@ -23,14 +23,14 @@ LegendStyle style_of(const Theme& theme) {
   return style;
 }
 
-/// A legend without its title, which stands above it on as many lines as it takes.
+/// A legend without its title, which is drawn above it on as many lines as necessary.
 Legend untitled(const Legend& legend) {
   Legend rest = legend;
   rest.title.clear();
   return rest;
 }
 
-/// The legend as it has room: with the histogram, or without.
+/// The legend without its histogram if it does not fit the width.
 Legend fitted(const Legend& legend, float width, const LegendStyle& style) {
   if (legend_width(legend, style) <= width) return legend;
   Legend plain = legend;
@@ -83,7 +83,7 @@ void LegendCard::draw_strip(ImDrawList& list, const PanelContext& context, const
   const float edge = right ? min.x : max.x;
   list.AddLine(ImVec2(edge, min.y), ImVec2(edge, max.y), palette().border, theme.px(1));
   frame_ = box_of(strip);
-  // The handle that folds the column stands out of the side away from the mesh.
+  // On the side away from the mesh, leave room for the column's fold handle.
   const float inner = theme.px(10), outer = theme.px(14);
   const float x = min.x + (right ? inner : outer);
   const float width = strip.width - inner - outer;
@@ -107,12 +107,12 @@ void LegendCard::draw_card(ImDrawList& list, const PanelContext& context, const 
                            const Legend& legend) {
   const Theme& theme = context.theme;
   const float height = std::min(theme.px(260), 0.55f * view.height);
-  // The mesh matters more where there is little room.
+  // With little room, show the mesh without the legend.
   if (height < theme.px(90) || view.width < theme.px(230)) return;
   const LegendStyle style = style_of(theme);
   Legend plain = legend;
   plain.histogram.reset();
-  // Under a long title there is room for the histogram in any case.
+  // Under a long title there is always room for the histogram.
   const bool narrow = view.width < theme.px(560);
   const bool widens = legend_width(plain, style) + theme.px(16) < legend_width(legend, style);
   const Legend& shown = narrow && widens ? plain : legend;
@@ -149,7 +149,7 @@ void LegendCard::draw_threshold(ImDrawList& list, const PanelContext& context,
   if (!(legend.scale.high > legend.scale.low)) return;
   const auto t = static_cast<float>(legend.scale.share(isolation.threshold));
   const float y = bars_->bottom - t * (bars_->bottom - bars_->top);
-  // What is faint in the mesh is so here.
+  // Fade the values of elements that are faint in the mesh.
   const float from = isolation.above ? y : bars_->top;
   const float to = isolation.above ? bars_->bottom : y;
   list.AddRectFilled(ImVec2(bars_->left, from), ImVec2(bars_->right, to),
@@ -161,7 +161,7 @@ void LegendCard::draw_threshold(ImDrawList& list, const PanelContext& context,
                          ImVec2(bars_->left - theme.px(1), y), palette().accent);
 }
 
-/// Where the legend would stand if it were let go.
+/// Marks the place of the legend if it is dropped now.
 void LegendCard::draw_target(ImDrawList& list, const PanelContext& context) const {
   const Theme& theme = context.theme;
   const Area whole = room_.whole();
@@ -203,7 +203,7 @@ bool LegendCard::over_bars(const PanelContext& context, const ScreenPoint& mouse
 
 void LegendCard::drag_threshold(const PanelContext& context, float y) const {
   const double t = std::clamp((bars_->bottom - y) / (bars_->bottom - bars_->top), 0.0f, 1.0f);
-  // Three digits: a pixel is not worth more.
+  // Round to three digits, the resolution of a pixel.
   const double value = scale_.value_at(t);
   const double size = scale_.by_ratio() ? value : scale_.high - scale_.low;
   const double step = std::pow(10.0, std::floor(std::log10(size)) - 2);

@@ -32,7 +32,7 @@ void toggle_sliding(const PanelContext& context, const std::string& name) {
   edit_slide(context, slide);
 }
 
-/// The same lines, each once: "plane", found ten times, as "plane (10)".
+/// Merges equal lines: "plane", found ten times, becomes "plane (10)".
 std::vector<std::string> told_once(const std::vector<std::string>& lines) {
   std::vector<std::string> out;
   std::vector<std::size_t> times;
@@ -102,7 +102,7 @@ void draw_role(const PanelContext& context, Index marker, const ImVec2& min, con
   ui::note(id);
   const bool over = ImGui::IsItemHovered() && role != Role::moves;
   ui::tooltip(tip_of(context, role, name));
-  // What a right click on the rest of the row offers as well.
+  // Open the same menu as a right click on the rest of the row.
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || (role == Role::periodic && pressed))
     context.emit(action::ShowContextMenu{PickedPlace{{}, {marker}, {}, {}}});
   else if (pressed && role != Role::moves)
@@ -153,7 +153,8 @@ void draw_reference(const PanelContext& context) {
   }
 }
 
-/// Where nodes slide along curves of the mesh: in space along its edges alone.
+/// Draws the spacing option, for nodes that slide along curves of the mesh (in space: along its
+/// edges).
 void draw_spacing(const PanelContext& context, SlideOptions slide) {
   const bool along_curves = context.session.kind() == MeshKind::plane || slide.features;
   if (!along_curves || !slide.reference.empty()) return;
@@ -187,7 +188,7 @@ void draw_angle(const PanelContext& context, SlideOptions slide, bool& previewed
   if (ui::number("markers/feature_angle", slide.feature_angle, tip, "%.6g\xC2\xB0") &&
       slide.feature_angle >= 0 && slide.feature_angle <= 180)
     edit_slide(context, slide);
-  // Of a surface feature lines are always drawn.
+  // For a surface mesh feature lines are always drawn.
   const bool editing = !surface && ImGui::IsItemActive();
   if (kind != MeshKind::plane &&
       ui::checkbox("markers/features", surface ? "Slide along feature lines" : "Slide along edges",

@@ -18,13 +18,13 @@ ImU32 color_u32(const Rgb& c) {
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c[0], c[1], c[2], 1));
 }
 
-/// A button of a row, as wide as it is high.
+/// A square button of a row.
 struct RowButton {
   std::string id;
   std::string glyph;
   std::string tooltip;
-  bool lit = false;    ///< it says something that is not as designed
-  float x = 0, y = 0;  ///< where it begins, pixels
+  bool lit = false;    ///< its state is not the default
+  float x = 0, y = 0;  ///< top left corner, pixels
   float side = 0;
 };
 bool row_button(const RowButton& button) {
@@ -46,7 +46,7 @@ std::string glyph_of(const Theme& theme, Icon icon, const char* letter) {
   return glyph.empty() ? letter : glyph;
 }
 
-/// Eye and padlock at the end of a row. Returns where they begin.
+/// Draws eye and padlock at the end of a row. Returns their left end.
 float draw_row_buttons(const PanelContext& context, Index marker, const ImVec2& start,
                        const ImVec2& end) {
   const std::string& name = context.topology()->markers()[static_cast<std::size_t>(marker)].name;
@@ -94,8 +94,7 @@ std::string tip_of_row(const PanelContext& context, const Marker& marker, bool l
          ", tag " + std::to_string(marker.tag);
 }
 
-/// The markers of the mesh: colour, whether they are drawn, whether the mouse may take them, and
-/// whether they move or stay.
+/// The list of markers with their colours, visibility, locks and roles.
 class MarkersPanel {
  public:
   void draw(const PanelContext& context) {
@@ -119,7 +118,7 @@ class MarkersPanel {
     ImGui::BeginChild("markers", ImVec2(0, height), true);
     for (Index m = 0; m < count; ++m) draw_row(context, m);
     ImGui::PopStyleVar(2);
-    // One popup after the other: each is placed where it has room.
+    // Open the second popup after the first has closed, so that it is placed separately.
     if (draw_colors(context)) ImGui::OpenPopup(other_popup);
     draw_other_color(context);
     ImGui::EndChild();
@@ -161,7 +160,7 @@ class MarkersPanel {
                        context.theme.px(3));
 
     const float tools = draw_row_buttons(context, marker, start, end);
-    // The border of a surface has no role: features tell what its nodes do.
+    // Markers of a surface mesh have no role: features determine the roles of their nodes.
     const bool surface = context.session.kind() == MeshKind::surface;
     const float role = surface ? tools : tools - role_width(context.theme);
     if (!surface) draw_role(context, marker, ImVec2(role, start.y), ImVec2(tools, end.y));
@@ -184,7 +183,7 @@ class MarkersPanel {
     ImGui::SetCursorScreenPos(ImVec2(start.x, end.y));
   }
 
-  /// Begins the popup that gives a marker a colour. Returns that marker; none: it is not open.
+  /// Begins the popup that sets a marker's colour. Returns the marker; none: it is not open.
   std::optional<Index> begin_popup(const PanelContext& context, const char* popup) const {
     const float pad = context.theme.px(8);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
@@ -201,8 +200,8 @@ class MarkersPanel {
     return marker;
   }
 
-  /// Colours to choose from, which can be told apart on light and on dark. True if another one is
-  /// wanted.
+  /// Draws colours that are distinguishable on light and dark backgrounds. True if the user wants
+  /// another colour.
   bool draw_colors(const PanelContext& context) {
     static constexpr std::array<std::pair<const char*, Rgb>, 10> choices{
         {{"Blue", {0.15f, 0.39f, 0.92f}},
@@ -248,7 +247,7 @@ class MarkersPanel {
     return other;
   }
 
-  /// Any colour; the marker wears it while it is being chosen.
+  /// Draws a picker for any colour, previewed on the marker.
   void draw_other_color(const PanelContext& context) {
     const auto marker = begin_popup(context, other_popup);
     if (!marker) return;
@@ -269,7 +268,7 @@ class MarkersPanel {
     ImGui::EndPopup();
   }
 
-  /// How the marker's surface is drawn in space.
+  /// Draws the options for the marker's surface in space.
   void draw_surface(const PanelContext& context, Index marker) const {
     const MarkerLook look = context.view.markers.of(coloured_);
     constexpr const char* tip =
@@ -291,7 +290,7 @@ class MarkersPanel {
     ui::tooltip("How much of what lies behind the surface it hides.");
   }
 
-  bool roles_previewed_ = false;  // by what is edited below the list
+  bool roles_previewed_ = false;  // by settings edited below the list
   std::string coloured_;          // marker whose colour is being chosen
 };
 

@@ -7,8 +7,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// A command, or a submenu of commands, as an entry of the open menu. Scripts find it as
-/// "menu/ID".
+/// Draws a command, or a submenu of commands, as an entry of the open menu, with the id "menu/ID".
 void draw_menu_entry(const UserCommand& command, const PanelContext& context) {
   const std::string reason = why_blocked(command, context);
   const std::string label = label_of(command, context) + "###" + command.id;
@@ -88,8 +87,8 @@ void ContextMenu::draw(const PanelContext& context) {
     return;
   }
   if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) ImGui::CloseCurrentPopup();
-  // Undo, a job's end or another file may bring a mesh that has no such node while the menu is
-  // open.
+  // While the menu is open, undo, the end of a job or another file may change the mesh, so that its
+  // items no longer exist.
   const bool same_mesh = context.session.topology() == topology_;
   const auto parts = same_mesh ? context_parts(context, place_) : std::vector<ContextPart>();
   for (std::size_t k = 0; k < parts.size(); ++k) {

@@ -18,7 +18,7 @@ std::string plural_of(ElementType type) {
   return name + "s";
 }
 
-/// What the open mesh is: its extents, how many nodes and elements of which type, edges by marker.
+/// Properties of the open mesh: extents, numbers of nodes and of elements by type, edges by marker.
 class MeshPanel {
  public:
   void draw(const PanelContext& context) {
@@ -111,7 +111,7 @@ class MeshPanel {
     ui::note("mesh/markers");
   }
 
-  /// Of one connectivity.
+  /// Counts for one connectivity.
   struct Counts {
     std::shared_ptr<const Topology> topology;
     std::array<Index, all_element_types.size()> of_type{};
@@ -119,13 +119,13 @@ class MeshPanel {
   };
   Counts counts_;
   Box<3> extents_;           // z = 0 in the plane
-  std::uint64_t shape_ = 0;  // that the extents are of
+  std::uint64_t shape_ = 0;  // shape of the extents
   std::uint64_t generation_ = 0;
 };
 
 }  // namespace
 
-/// Of a file of several zones: the one that is open, to choose another. Nothing of other files.
+/// Draws the choice of a zone, for files with several zones only.
 void draw_zone(const PanelContext& context) {
   if (!context.session.document()) return;
   const Document& document = *context.session.document();

@@ -28,7 +28,7 @@ bool can_be_undone(const Banner& banner) {
          banner.kind == Banner::Kind::partial_motion || banner.kind == Banner::Kind::damaged;
 }
 
-/// What can be done about what a banner says.
+/// The possible answers to a banner.
 std::vector<Answer> answers_to(const Banner& banner) {
   std::vector<Answer> answers;
   if (can_be_undone(banner))
@@ -54,8 +54,8 @@ float width_of(const Answer& answer) {
   return ImGui::CalcTextSize(answer.label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-/// Calls `place` for each answer with whether it begins another row. Returns the width that they
-/// take on one row.
+/// Calls `place` for each answer, with true if it begins a new row. Returns the total width on a
+/// single row.
 template <class Place>
 float flow(const std::vector<Answer>& answers, float room, Place&& place) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -77,7 +77,7 @@ std::string text_of(const PanelContext& context) {
 
 float text_gap(const Theme& theme) { return theme.px(16); }
 
-/// Where everything stands in a strip of a width.
+/// The layout of a strip of a given width.
 struct Arrangement {
   bool one_line = true;
   int rows = 1;      ///< of answers
@@ -104,7 +104,8 @@ float banner_height(const PanelContext& context, float width) {
   const Theme& theme = context.theme;
   const Arrangement a = arrange(context, width);
   if (a.one_line) return theme.px(44);
-  // Above the buttons, on as many lines as it takes: what is cut off may be what matters.
+  // The text is above the buttons, on as many lines as necessary, since truncation may hide
+  // important information.
   const float wrapped = ImGui::CalcTextSize(a.text.c_str(), nullptr, false, a.room).y;
   return theme.px(62) + wrapped +
          static_cast<float>(a.rows - 1) * ImGui::GetFrameHeightWithSpacing();
@@ -147,7 +148,7 @@ float height_of(const std::string& text, float width) {
   return ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
 }
 
-/// Title and text, which scroll where a small screen would leave no room for the answers.
+/// Draws title and text; they scroll if a small screen would leave no room for the answers.
 void draw_text(const Prompt& prompt, const Theme& theme, float width, float most) {
   const float wrapped = width - ImGui::GetStyle().ScrollbarSize;
   const float gap = 2 * ImGui::GetStyle().ItemSpacing.y;
@@ -169,7 +170,7 @@ void draw_text(const Prompt& prompt, const Theme& theme, float width, float most
   ImGui::Spacing();
 }
 
-/// Side by side, or one below the other where there is no room for that.
+/// Layout of the answers: side by side, or one below the other if there is too little room.
 struct Answers {
   Answers(const Prompt& prompt, const Theme& theme, float room) {
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -183,7 +184,7 @@ struct Answers {
     const auto rows = static_cast<float>(side_by_side ? 1 : prompt.choices.size());
     height = rows * ImGui::GetFrameHeightWithSpacing() + 2 * style.ItemSpacing.y;
   }
-  std::vector<float> widths;  // pixels, as all that follows
+  std::vector<float> widths;  // pixels, like all following members
   float total = 0, height = 0;
   bool side_by_side = true;
 };
@@ -201,7 +202,7 @@ void draw_choices(const PanelContext& context, const Prompt& prompt, const Answe
     const float width = answers.side_by_side ? answers.widths[i] : room;
     const bool pressed =
         ui::button("prompt/" + choice.label, choice.label, {"", style, true, width});
-    // Enter takes the safe choice; Escape the one that does nothing.
+    // Enter selects the primary choice, Escape the choice without actions.
     if (pressed || (enter && choice.primary) || (escape && choice.actions.empty()))
       return choose(context, choice);
     if (answers.side_by_side) ImGui::SameLine();

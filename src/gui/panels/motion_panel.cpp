@@ -8,16 +8,16 @@ namespace winslow::gui {
 
 namespace {
 
-/// Share of a row that labels take.
+/// The labels' share of a row.
 constexpr float motion_label_share = 0.385f;
 
-/// The fields of a vector begin where those of numbers do, with their letters before them.
+/// Aligns the fields of a vector with those of numbers; their letters are left of them.
 void vector_row(const char* label, const char* tip) {
   ui::row(label, tip, motion_label_share);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() - ui::letter_width());
 }
 
-/// Fields for how far a body of the plane moves. True if Enter was pressed in one of them.
+/// Fields for the translation in the plane. True if Enter was pressed in one of them.
 bool plane_translation(Vec3& translate) {
   vector_row("Translate", "How far the body moves, x and y, in units of the mesh.");
   Vec2 in_plane = translate.head<2>();
@@ -28,7 +28,7 @@ bool plane_translation(Vec3& translate) {
   return entered;
 }
 
-/// The same in space: three fields do not fit beside a label.
+/// The same in space, below the label, since three fields do not fit beside it.
 bool space_translation(Vec3& translate) {
   ui::text_dim("Translate");
   ui::tooltip("How far the body moves, x, y and z, in units of the mesh.");
@@ -44,7 +44,7 @@ bool usable(const RigidMotion& m) {
          pivot_of(m).allFinite() && axis.allFinite() && axis.norm() > 0;
 }
 
-/// Buttons that let the next click in the picture pick pivot and axis.
+/// Draws buttons that make the next click in the picture pick pivot and axis.
 void draw_sources(const PanelContext& context) {
   struct Source {
     PivotFrom from;
@@ -76,7 +76,7 @@ void draw_sources(const PanelContext& context) {
   }
 }
 
-/// In the plane: the point, and the places that have names.
+/// Draws the pivot in the plane: the point and the named places.
 void draw_pivot(const PanelContext& context) {
   Vec2 pivot = context.session.selection().pivot();
   vector_row("Pivot", "The point about which the body turns. Drag it in the picture, or type it.");
@@ -100,7 +100,7 @@ void draw_pivot(const PanelContext& context) {
     context.emit(action::SetPivot{{}, places[chosen]});
 }
 
-/// In space: where the axis is, and where it comes from.
+/// Draws pivot and axis in space, and their source.
 void draw_axis_and_pivot(const PanelContext& context) {
   const Selection& selection = context.session.selection();
   draw_sources(context);
@@ -129,7 +129,7 @@ void draw_axis_and_pivot(const PanelContext& context) {
     context.emit(action::SetSpacePivot{pivot});
 }
 
-/// What the panel has for meshes of the plane, and for those of space.
+/// The parts of the panel that differ between the plane and space.
 struct MotionForm {
   bool (*draw_translation)(Vec3&);
   void (*draw_pivot)(const PanelContext&);
@@ -156,8 +156,8 @@ Shape shape_of(const KeepOutside& keep) {
   return keep.corner ? box_region : no_region;
 }
 
-/// A circle about a body, in space a sphere, or a box, to begin with: room for the body to turn,
-/// and as much again around it.
+/// Initial region around a body, a circle (in space a sphere) or a box: twice the room that the
+/// body needs to rotate.
 KeepOutside around(Shape shape, const Coordinates& x, const std::vector<Index>& nodes) {
   KeepOutside keep;
   const Box<3> body = body_box(x, nodes);
@@ -166,7 +166,7 @@ KeepOutside around(Shape shape, const Coordinates& x, const std::vector<Index>& 
   const auto place = [&](const Vec3& p) { return GivenVector::of(x.dimension(), p); };
   if (shape == ball_region) {
     keep.radius = room;
-    keep.centre = place(centre);  // smoothing in place has no body to ask for it
+    keep.centre = place(centre);  // smoothing without a motion has no body that defines it
   }
   if (shape == box_region) {
     keep.corner = place(centre - Vec3::Constant(room));
@@ -198,7 +198,7 @@ void draw_keep_outside(const PanelContext& context) {
   if (changed) context.edit(options);
 }
 
-/// In how many steps bodies go to their places.
+/// Draws the choice of the number of motion steps.
 void draw_motion_steps(const PanelContext& context) {
   static constexpr std::array<ui::Named<int>, 4> steps{
       {{0, "Automatic"}, {1, "At once"}, {8, "8 steps"}, {32, "32 steps"}}};
@@ -211,7 +211,7 @@ void draw_motion_steps(const PanelContext& context) {
     context.edit(options);
 }
 
-/// Limits of quality: they hold for every motion and deformation from here on, dragged or typed.
+/// Draws the quality limits, which apply to all further motions and deformations, dragged or typed.
 void draw_quality_limits(const PanelContext& context) {
   const SolverSettings& solver = context.session.solver_settings();
   MotionOptions options = solver.motion_options();
@@ -220,7 +220,7 @@ void draw_quality_limits(const PanelContext& context) {
     context.edit(options);
 }
 
-/// Moves the selected bodies by numbers; shows the numbers of a drag.
+/// Moves the selected bodies by numbers, and shows the numbers of a drag.
 class MotionPanel {
  public:
   void draw(const PanelContext& context) {
@@ -246,7 +246,7 @@ class MotionPanel {
                                     {"Move the selected bodies and smooth the mesh around them. "
                                      "Enter in a field does so as well.",
                                      ui::ButtonStyle::primary, can, -1});
-    // Below the button, which a small window is to show.
+    // Below the button, so that the button is visible in a small window.
     ImGui::BeginDisabled(live);
     draw_keep_outside(context);
     draw_quality_limits(context);
@@ -259,7 +259,7 @@ class MotionPanel {
   }
 
  private:
-  /// True if Enter was pressed in one of them. live: they show the drag under the mouse.
+  /// True if Enter was pressed in one of the fields. live: they show the active drag.
   bool draw_fields(const PanelContext& context, bool live) {
     const MotionForm& form = form_for(context.session);
     const auto motion = live ? context.session.mesh().live_motion() : std::nullopt;
@@ -284,7 +284,7 @@ class MotionPanel {
                      selection.space().axis());
   }
 
-  /// Draws where the typed motion would put the bodies, or no longer.
+  /// Shows or hides the outline of the bodies after the typed motion.
   void preview(const PanelContext& context, bool wanted) const {
     const auto& shown = context.session.selection().motion_preview();
     if (!wanted) {

@@ -9,7 +9,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// Lines of a table with three columns of numbers at the right.
+/// A table with three columns of numbers at the right.
 class Table {
  public:
   explicit Table(const Theme& theme)
@@ -17,7 +17,7 @@ class Table {
         left_(ImGui::GetCursorPosX()),
         width_(ImGui::GetContentRegionAvail().x),
         narrow_(width_ < theme.px(280)) {
-    // Smaller letters rather than numbers over names.
+    // In a narrow panel use a smaller font, so that numbers do not overlap names.
     ImGui::PushFont(narrow_ ? theme.small : theme.regular);
   }
   ~Table() { ImGui::PopFont(); }
@@ -48,7 +48,7 @@ ImU32 color_of(int verdict) {
   return verdict > 0 ? palette().success : palette().danger;
 }
 
-/// What the mesh is like now: as measured last.
+/// The latest quality report of the mesh.
 const QualityReport& report_of(const PanelContext& context) {
   const auto& measured = context.session.quality().latest();
   return measured ? measured->report : context.session.document()->loaded_quality();
@@ -124,7 +124,7 @@ void draw_deviation(const PanelContext& context) {
 
 namespace {
 
-/// How a change of a number is judged.
+/// Which direction of change is an improvement.
 enum class Better { larger, smaller, neither };
 
 Better better(const FieldInfo& info) {
@@ -141,14 +141,14 @@ std::string wall_number(double value) {
   return formatted(value, plain ? "%.3g" : "%.2e");
 }
 
-/// text: writes the numbers.
+/// text: formats the numbers.
 QualityRow row_of(const char* name, const double* before, double now, Better better,
                   Text text = table_number) {
   QualityRow row;
   row.name = name;
   row.now = text(now);
   row.before = before ? text(*before) : "-";
-  // A change that is not seen in the numbers beside it would only puzzle.
+  // Omit a change that is not visible in the displayed numbers.
   if (!before || row.before == row.now || !std::isfinite(*before) || !std::isfinite(now))
     return row;
   const double change = now - *before;
@@ -177,7 +177,7 @@ QualityRow inverted_row(const QualityReport* before, Index now) {
   return row;
 }
 
-/// One of the numbers that say how a list is spread.
+/// A quantile of a distribution.
 struct Place {
   const char* name;
   double Quantiles::*of;
@@ -187,7 +187,7 @@ constexpr std::array whole_spread{Place{"min", &Quantiles::min}, Place{"5 %", &Q
                                   Place{"95 %", &Quantiles::high}, Place{"max", &Quantiles::max}};
 constexpr std::array upper_end{whole_spread[3], whole_spread[4]};
 
-/// Something that is measured of the cells at walls, or beyond.
+/// A measure of the cells at walls or beyond.
 struct WallRows {
   const char* name;
   const char* tip;
@@ -226,7 +226,7 @@ void add_wall_rows(const WallReport* before, const WallReport& now, const WallRo
   }
 }
 
-/// First heights over those before, node by node: what the spreads of the two do not show.
+/// Adds the node-by-node ratio of first heights, which the two distributions do not show.
 void add_height_change(const WallReport& before, const WallReport& now,
                        std::vector<QualityRow>& rows) {
   const auto change = compare_first_heights(before.walls, now.walls);
@@ -268,7 +268,7 @@ std::vector<QualityRow> deviation_table(const SurfaceChange* change) {
   const SurfaceChange c = change ? *change : SurfaceChange();
   const auto distance = [&](std::string name, std::string tip, double value) {
     QualityRow row{std::move(name), std::move(tip), false, {}, {}, {}, 0, false};
-    // What rounding leaves of nothing.
+    // Rounding errors count as 0.
     row.now = change ? wall_number(value < 1e-14 * c.extent ? 0 : value) : "-";
     return row;
   };

@@ -13,13 +13,14 @@ bool sensible(const SineDeformation& s) {
          s.direction.allFinite() && s.direction.norm() > 0;
 }
 
-/// The axis that a direction is, 0 to 2.
+/// The axis of a sine's direction, 0 to 2.
 std::size_t axis_of(const SineDeformation& s) {
   if (s.direction.z() != 0) return 2;
   return s.direction == Vec2(1, 0) ? 0 : 1;
 }
 
-/// A sine in space says along what it runs; without, it runs at right angles to its direction.
+/// Sets direction and running axis of a sine. along: needed in space; without it the sine runs at
+/// right angles to its direction.
 void set_axes(SineDeformation& s, std::size_t direction, std::optional<std::size_t> along) {
   const Vec3 unit = Vec3::Unit(static_cast<Index>(direction));
   s.direction = GivenVector::of(direction == 2 ? 3 : 2, unit);
@@ -41,7 +42,7 @@ std::string chosen_arc(const ShapeEdit& edit) {
                                            : "An arc is held. Drag any of its nodes.";
 }
 
-/// Which way the boundary of a plane mesh goes; the sine runs at right angles to that.
+/// Draws the direction of displacement in a plane mesh; the sine runs at right angles to it.
 void draw_plane_axes(SineDeformation& sine) {
   std::size_t direction = axis_of(sine) == 0 ? 1 : 0;
   if (axis_of(sine) == 2 || sine.along) set_axes(sine, 1, std::nullopt);
@@ -52,7 +53,7 @@ void draw_plane_axes(SineDeformation& sine) {
     set_axes(sine, direction == 1 ? 0 : 1, std::nullopt);
 }
 
-/// In space it is said along what the sine runs, too.
+/// Draws the same in space, and the axis along which the sine runs.
 void draw_space_axes(SineDeformation& sine) {
   std::size_t direction = axis_of(sine), along = direction == 2 ? 0 : 2;
   for (std::size_t k = 0; k < 3 && sine.along; ++k)
@@ -67,12 +68,12 @@ void draw_space_axes(SineDeformation& sine) {
   if (changed) set_axes(sine, direction, along);
 }
 
-/// What the panel has for meshes of the plane, and for those of space.
+/// The parts of the panel that differ between the plane and space.
 struct ShapeForm {
   const char* edit_tip;
   std::string (*held)(const ShapeEdit&);
   void (*draw_axes)(SineDeformation&);
-  const char* ends;  ///< where the sine starts and ends
+  const char* ends;  ///< tooltip: where the sine starts and ends
 };
 constexpr ShapeForm plane_form{"Drag single nodes or arcs of a boundary instead of whole bodies.",
                                chosen_arc, draw_plane_axes,
@@ -83,7 +84,7 @@ constexpr ShapeForm space_form{"Drag nodes or patches of a surface instead of wh
                                "Start and end are those along the axis in which the sine runs: of "
                                "its smallest and its largest coordinate."};
 
-/// Changes of shape: by hand, or a sine along the body with a preview of its outline.
+/// Changes shapes: by dragging, or by a sine along the body with a preview of its outline.
 class ShapePanel {
  public:
   void draw(const PanelContext& context) {

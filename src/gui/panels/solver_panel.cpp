@@ -10,15 +10,15 @@ namespace winslow::gui {
 
 namespace {
 
-/// Of rows with short labels and lists of long names.
+/// The labels' share in rows with short labels and long list entries.
 constexpr float solver_label_share = 0.3f;
 
-/// How the mesh is smoothed, and the switches to run, pause, step, cancel and go back.
+/// Options of smoothing, and buttons to run, pause, step, cancel and undo.
 class SolverPanel {
  public:
   void draw(const PanelContext& context) {
     if (!ui::section("section/solver", "Solver")) return;
-    // How boundaries move: those of a surface do not.
+    // Options for moving boundaries, which a surface mesh does not have.
     if (context.session.kind() != MeshKind::surface) {
       draw_method(context);
       draw_pace(context);
@@ -42,7 +42,7 @@ class SolverPanel {
     ImGui::EndDisabled();
   }
 
-  /// Stays enabled while the solver runs: that is when it is wanted.
+  /// Draws the pace, which remains enabled while the solver runs.
   void draw_pace(const PanelContext& context) {
     const Session& session = context.session;
     if (method_of(session.solver_settings().smooth_options(),

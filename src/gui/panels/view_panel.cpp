@@ -8,7 +8,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// Labels are short here, and what is chosen has long names.
+/// The labels' share of a row: labels are short, list entries long.
 constexpr float view_label_share = 0.32f;
 
 template <class T>
@@ -29,7 +29,7 @@ struct Spread {
 constexpr std::array spreads{Spread{"All values", {0, 100}}, Spread{"1 to 99 %", {1, 99}},
                              Spread{"5 to 95 %", {5, 95}}};
 
-/// Ends of the colours as they are now: a range that is to be set begins there.
+/// Present ends of the colours, the initial values of a range to be set.
 std::array<double, 2> ends_of(const PanelContext& context, const ViewOptions& view) {
   const auto& measured = context.session.quality().latest();
   if (!measured || measured->field != view.color) return {0, 1};
@@ -42,7 +42,7 @@ void draw_color(const PanelContext& context, ViewOptions& view) {
   std::vector<ElementField> fields;
   std::size_t chosen = 0;
   for (const ElementField& field : all_element_fields(context.session.kind())) {
-    // Of layers there is nothing to see where there are none.
+    // Omit fields of layers for a mesh without layers.
     if (field.layer() && !context.session.mesh().layers() && view.color != field) continue;
     fields.push_back(field);
     names.emplace_back(field_info(field).label);
@@ -54,7 +54,7 @@ void draw_color(const PanelContext& context, ViewOptions& view) {
                   view_label_share))
     return;
   view.color = chosen == 0 ? std::nullopt : std::optional<ElementField>(fields[chosen - 1]);
-  // Of the metric before.
+  // These belong to the previous metric.
   view.range.reset();
   view.percentiles.reset();
   view.color_axis = ColorAxis::automatic;
@@ -240,7 +240,7 @@ void draw_appearance(const PanelContext&, ViewOptions& view) {
     view.scale = scale == 0 ? 0 : scales[scale - 1];
 }
 
-/// A part of the panel that can be folded.
+/// A foldable part of the panel.
 struct Part {
   const char *id, *title;
   MeshKinds serves;

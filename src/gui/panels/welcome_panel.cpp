@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::size_t most_recent = 6;
 constexpr float lowest_demo = 31, highest_demo = 44;  // of a row with its picture
-// Rows of text end where four cards do.
+// Rows of text are as wide as four cards.
 constexpr float row_gap = 16, row_width = (WelcomePanel::page_width - row_gap) / 2;
 
-/// Rows of text stand in two columns where there is room.
+/// Rows of text are in two columns if there is room.
 struct Columns {
   std::size_t count;
   float width, gap;  // pixels
@@ -157,7 +157,7 @@ bool WelcomePanel::draw_card(const PanelContext& context, const BundledMesh& mes
 void WelcomePanel::draw_demos(const PanelContext& context) {
   heading(context, "Guided demos: the cases of the paper, and three in space");
   const Columns columns = columns_of(context);
-  // As high as a small window has room for without scrolling.
+  // The largest height that needs no scrolling in a small window.
   const std::size_t full_rows = (demos().size() + columns.count - 1) / columns.count;
   const auto rows = static_cast<float>(full_rows);
   const float room = (ImGui::GetContentRegionAvail().y + ImGui::GetStyle().ItemSpacing.y) / rows -
@@ -184,7 +184,7 @@ bool WelcomePanel::draw_demo(const PanelContext& context, const Demo& demo, floa
   const bool over = ImGui::IsItemHovered();
   const float round = theme.px(5);
   if (over) list.AddRectFilled(min, max, palette().accent_soft, round);
-  // As wide as it is high by the shape of the pictures.
+  // Width from the height and the aspect ratio of the pictures.
   const ImVec2 foot(min.x + 1.6f * size.y, max.y);
   list.AddRectFilled(min, foot, palette().panel, round);
   if (const Texture* picture = thumbnails_.find("demo/" + demo.id)) {

@@ -17,10 +17,10 @@ namespace {
 constexpr float date_width = 130;
 constexpr float day_width = 92;
 constexpr float size_width = 76;
-/// Of the places beside the list.
+/// Width of the places beside the list.
 constexpr float places_width = 168;
 
-/// What stands before a name.
+/// The text before a name.
 std::string lead_of(const Theme& theme, bool folder) {
   const std::string glyph = theme.icon(folder ? Icon::folder : Icon::file);
   return glyph.empty() ? (folder ? "[ ] " : "") : glyph + "  ";
@@ -84,7 +84,7 @@ void FileBrowser::draw_new_folder(const PanelContext& context) {
     choice_.go(folder);
 }
 
-/// Of the mesh that is chosen, at the foot of the places. Returns the height that it takes.
+/// Draws a preview of the chosen mesh, at the foot of the places. Returns its height.
 float FileBrowser::draw_preview(const PanelContext& context, float height) {
   const float width = context.theme.px(places_width);
   const float picture = width * static_cast<float>(Thumbnails::height) / Thumbnails::width;
@@ -135,7 +135,7 @@ FileBrowser::Columns FileBrowser::columns_for(const Theme& theme, float width, f
   return {0, 0, false};
 }
 
-/// Beside the header that the list is sorted by, as the last item.
+/// Draws the arrow beside the header of the sorted column, which was the last item.
 void FileBrowser::draw_sort_arrow() const {
   const ImVec2 text = ImGui::CalcTextSize(sort_ == SortBy::name   ? "Name"
                                           : sort_ == SortBy::date ? "Changed"
@@ -211,7 +211,7 @@ bool FileBrowser::draw_list(const PanelContext& context, float height) {
   ImGui::EndChild();
   if (!pressed) return false;
   choice_.focus_name = true;
-  const std::string name = pressed->name;  // the entry goes when another folder is shown
+  const std::string name = pressed->name;  // copied, since showing another folder removes the entry
   if (pressed->folder) {
     choice_.go(choice_.folder.wanted() / name);
     return false;
@@ -264,7 +264,7 @@ bool FileNameField::draw(const PanelContext& context) {
   ui::text_dim("Name");
   ImGui::SameLine(0, context.theme.px(10));
   ImGui::SetNextItemWidth(-FLT_MIN);
-  // Backspace in what was empty before it was pressed.
+  // Backspace in a field that was already empty.
   const bool up = choice_.name.empty() && ImGui::IsKeyPressed(GLFW_KEY_BACKSPACE, false);
   if (choice_.focus_name) ImGui::SetKeyboardFocusHere();
   choice_.focus_name = false;
@@ -306,7 +306,7 @@ int FileNameField::edit(ImGuiInputTextCallbackData& data) {
   return 0;
 }
 
-/// "meshes/" goes into that folder, "/" and "~/" to where every shell would.
+/// Enters a typed folder: "meshes/"; "/" and "~/" as in a shell.
 bool FileNameField::enter_typed_folder(const std::string& text) {
   const auto folder = choice_.folder.typed_folder(text);
   if (!folder) return false;
@@ -315,7 +315,8 @@ bool FileNameField::enter_typed_folder(const std::string& text) {
   return true;
 }
 
-/// As far as all names that begin so go on alike; a single folder is gone into.
+/// Completes to the common beginning of all matching names; enters a folder if it is the only
+/// match.
 void FileNameField::complete(ImGuiInputTextCallbackData& data, const std::string& text) {
   const auto completion = choice_.folder.complete(text);
   if (!completion) return;

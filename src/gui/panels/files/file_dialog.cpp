@@ -103,16 +103,15 @@ void FileDialog::draw_filter(const PanelContext& context) {
 }
 
 void FileDialog::accept(const PanelContext& context) {
-  fs::path path =
-      choice_.folder.wanted() / choice_.name;  // a name that is an absolute path stands for itself
+  fs::path path = choice_.folder.wanted() / choice_.name;  // an absolute path replaces the folder
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
     choice_.name.clear();
     return choice_.go(path);
   }
-  choice_.focus_name = true;  // for what is not accepted
+  choice_.focus_name = true;  // in case the name is not accepted
   if (!kind_.saves) {
-    // A few letters are enough for the only file that begins with them.
+    // The first letters suffice for the only file that begins with them.
     if (!fs::exists(path, ignored) && choice_.folder.chosen())
       path = choice_.folder.wanted() / *choice_.folder.chosen();
     if (fs::is_directory(path, ignored)) {

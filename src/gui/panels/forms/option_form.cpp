@@ -37,7 +37,7 @@ std::string tip_of(const Option& option) {
   return tip;
 }
 
-/// A vector of three components.
+/// True for a vector of three components.
 bool is_long(const OptionValue& value) {
   if (const auto* vector = std::get_if<VectorOption>(&value))
     return vector->value->numbers(vector->numbers) == 3;
@@ -46,12 +46,12 @@ bool is_long(const OptionValue& value) {
   return std::holds_alternative<SpaceVectorOption>(value);
 }
 
-/// One field: draws itself, and says whether its value changed.
+/// Draws the field of an option; returns true if its value changed.
 class Field {
  public:
   Field(const std::string& prefix, const Option& option)
       : option_(option), id_(id_of(prefix, option)), tip_(tip_of(option)) {
-    if (is_long(option.value)) {  // three fields want the whole row
+    if (is_long(option.value)) {  // three fields need the whole row
       text_dim(option.label);
       tooltip(tip_);
     } else {
@@ -68,7 +68,7 @@ class Field {
 
   bool operator()(const IntegerOption& integer) const { return number(id_, *integer.value, tip_); }
 
-  /// The field holds whole numbers of 31 bits; a larger seed stays until it is typed over.
+  /// The field contains 31-bit integers; a larger seed is kept until it is edited.
   bool operator()(const SeedOption& seed) const {
     auto low = static_cast<int>(*seed.value & 0x7fffffffu);
     if (!number(id_, low, tip_) || low < 0) return false;
@@ -116,7 +116,7 @@ class Field {
     return true;
   }
 
-  /// One of the parts alone; a blend of several is shown, but not made.
+  /// Chooses a single part; a blend of several is shown, but cannot be chosen here.
   bool operator()(const SharesOption& shares) const {
     std::vector<std::string> labels;
     std::size_t chosen = shares.parts.size();
@@ -132,7 +132,7 @@ class Field {
   }
 
  private:
-  /// Of what is chosen elsewhere: here it is named, and can be let go of.
+  /// Shows a value that is chosen elsewhere, and a button that clears it.
   template <class Value>
   bool let_go(Value& value, const std::string& to) const {
     const float room = ImGui::GetContentRegionAvail().x * 0.7F;
@@ -191,7 +191,7 @@ class CommandFields {
   CommandFields(const std::string& prefix, MeshKind kind) : prefix_(prefix), kind_(kind) {}
   bool changed() const { return changed_; }
 
-  /// Of a command that its table describes.
+  /// For a command described completely by its table.
   template <class EditCommand>
   requires(!EditCommand::beyond_table) void operator()(EditCommand& command) {
     rows(option_table(command));
@@ -236,7 +236,7 @@ class CommandFields {
   }
 
  private:
-  /// Of several, each is named.
+  /// Draws a body; with several bodies, also its name.
   void body(MoveCommand& command, std::size_t number) {
     MovingBody& body = command.bodies[number];
     if (command.bodies.size() == 1) return rows(option_table(body.motion));
@@ -278,7 +278,7 @@ bool command_form(const std::string& prefix, Command& command, MeshKind kind) {
 
 namespace {
 
-/// Of the row: names of metrics are long, their values short.
+/// The names' share of the row: names of metrics are long, their values short.
 constexpr float name_share = 0.72f;
 
 constexpr const char* tip =
@@ -286,7 +286,7 @@ constexpr const char* tip =
     "the line above the mesh says how far that is. A drag shows what lies beyond; let go, the body "
     "goes back to the limit.";
 
-/// field: what the metric is in elements of this dimension.
+/// field: the metric for elements of this dimension.
 bool limit_row(const std::string& id, const Option& option, const FieldInfo& field,
                std::optional<double>& limit) {
   const std::string row_tip = std::string(option.help) + '.';
@@ -298,7 +298,7 @@ bool limit_row(const std::string& id, const Option& option, const FieldInfo& fie
   if (!limit) return changed;
   ImGui::SameLine(start + width * name_share);
   ImGui::SetNextItemWidth(-FLT_MIN);
-  // As high as the switch: one line of text for all rows.
+  // The same height as the switch, so that the text of all rows is aligned.
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(ImGui::GetStyle().FramePadding.x, 3));
   changed |= number(id, *limit, row_tip, option.unit == "degrees" ? "%.6g\xC2\xB0" : "%.6g");
   ImGui::PopStyleVar();
@@ -355,7 +355,7 @@ bool smooth_options_form(const std::string& prefix, SmoothOptions& options, Mesh
     return kind == MeshKind::surface ? surface_option_table(options) : option_table(options);
   };
   if (!option_form(prefix, table())) return false;
-  // What was chosen may not go with the other choices; the rows of a new table know.
+  // The new value may be incompatible with other options; a new table resolves this.
   settle(table());
   return true;
 }

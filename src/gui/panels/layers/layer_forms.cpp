@@ -104,7 +104,7 @@ std::vector<double> SpacingForm::heights() const {
   try {
     return layer_heights(spacing());
   } catch (const Error&) {
-    return {};  // numbers half typed; the plan says what is wrong
+    return {};  // incomplete input; the plan reports the error
   }
 }
 
@@ -115,7 +115,7 @@ std::string column_text(const LayerColumn& column) {
          std::string(limit_name(column.limit));
 }
 
-/// The columns on the selected markers; all, where these have none.
+/// The columns on the selected markers; all columns if these have none.
 std::vector<const LayerColumn*> shown_columns(const Markers& markers,
                                               const std::vector<Index>& chosen,
                                               const LayerStack& stack) {
@@ -131,7 +131,7 @@ std::vector<const LayerColumn*> shown_columns(const Markers& markers,
   return selected.empty() ? all : selected;
 }
 
-/// Height of each layer as wanted and as it came out, on average over the columns that have it.
+/// Wanted and realised height of each layer, averaged over the columns that have it.
 ui::LayerHeights mean_heights(const std::vector<const LayerColumn*>& columns,
                               const Coordinates& x) {
   ui::LayerHeights sums;

@@ -8,7 +8,7 @@ namespace winslow::gui {
 
 namespace {
 
-/// What a row of a list in the panel of layers says: two lines.
+/// Content of a row, of two lines, in a list of the panel of layers.
 struct ListRow {
   std::string id;
   std::string title, summary;
@@ -43,12 +43,12 @@ RowAnswer draw_list_row(const ListRow& row, const Theme& theme) {
   const bool removed = ui::button(row.id + "/remove", "\xC3\x97",
                                   {row.remove_tip, ui::ButtonStyle::flat, true, cross});
   ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + size.y));
-  ImGui::Dummy(ImVec2(0, 0));  // the place of the next row counts as drawn
+  ImGui::Dummy(ImVec2(0, 0));  // registers the position of the next row
   if (removed) return RowAnswer::removed;
   return pressed ? RowAnswer::pressed : RowAnswer::none;
 }
 
-/// A frame for so many rows, those beyond the fifth by scrolling. draw: one row, false: no more.
+/// Draws a frame with `count` rows, scrolling beyond five. draw: draws one row; false: stop.
 void draw_list(const char* id, std::size_t count, const Theme& theme,
                const std::function<bool(std::size_t)>& draw) {
   if (count == 0) return;
@@ -60,7 +60,7 @@ void draw_list(const char* id, std::size_t count, const Theme& theme,
   }
   ImGui::EndChild();
   ImGui::PopStyleVar(2);
-  ImGui::Spacing();  // the list itself ends without a gap
+  ImGui::Spacing();  // adds spacing after the list
 }
 
 /// "25 layers, first 1e-05, ratio 1.2, in part".
@@ -103,7 +103,7 @@ void WallList::draw(const PanelContext& context) {
             [&](std::size_t k) { return draw_row(context, k); });
 }
 
-/// False if the wall was taken out.
+/// Draws a row. False if the wall was removed.
 bool WallList::draw_row(const PanelContext& context, std::size_t k) {
   const LayerWall& wall = walls_[k];
   const std::string names = joined(wall.markers);

@@ -14,18 +14,19 @@ namespace winslow::gui {
 
 namespace {
 
-/// The mesh on screen is what these options have made: a plan would be for the same once more.
+/// True if the mesh on screen is the result of these options: a plan would insert the same layers
+/// again.
 bool just_inserted(const History& history, const LayerOptions& options) {
   if (history.position() == 0) return false;
   const auto* last = std::get_if<LayersCommand>(&history.command(history.position()));
   return last && last->task == LayerTask::insert && options_of(*last) == options;
 }
 
-/// What there is to know of the layers of the mesh at a glance.
+/// Summary of the layers of the mesh.
 struct LayerStatus {
-  int count = 0;        ///< the most at any wall
+  int count = 0;        ///< largest number at any wall
   std::string markers;  ///< where
-  bool known = false;   ///< inserted or held here; else they came with the file
+  bool known = false;   ///< inserted or held here; otherwise from the file
   bool held = false;
 };
 
@@ -48,7 +49,7 @@ LayerStatus status(const PanelContext& context) {
   return status;
 }
 
-/// The walls that the buttons of the card are for: those selected, or else all that have layers.
+/// The walls for the buttons of the card: the selected ones, or else all that have layers.
 std::vector<std::string> walls_with_layers(const PanelContext& context) {
   std::vector<std::string> walls;
   const bool all = context.session.selection().empty();
@@ -61,7 +62,7 @@ std::vector<std::string> walls_with_layers(const PanelContext& context) {
   return walls;
 }
 
-/// Layers at walls: what they are to be like, where they will stand, and how they came out.
+/// Layers at walls: their settings, their preview, and their resulting quality.
 class LayersPanel {
  public:
   void draw(const PanelContext& context) {
@@ -85,7 +86,7 @@ class LayersPanel {
     draw_walls(context);
     draw_insertion(context);
     draw_in_place(context);
-    // Below the buttons, so that these need no scrolling.
+    // Below the buttons, so that the buttons are visible without scrolling.
     draw_corners();
     columns_.draw(context, command(context, LayerTask::insert).layers.walls);
     if (!names_.empty()) ui::height_plot("layers/plot", {form_.heights(), {}}, context.theme);
@@ -93,7 +94,7 @@ class LayersPanel {
   }
 
  private:
-  /// The selection may have changed, and the mesh.
+  /// Updates the panel after changes of the selection or the mesh.
   void update(const PanelContext& context) {
     if (generation_ != context.session.generation()) {
       walls_.clear();
@@ -102,8 +103,8 @@ class LayersPanel {
       generation_ = context.session.generation();
       open_ = false;
     }
-    // A field that is asked for is not folded away, and where there are no layers yet there is
-    // nothing to do but to insert some.
+    // Unfold the settings for a requested field, and for a mesh without layers, where inserting is
+    // the only operation.
     const bool wanted = UiLayer::current().keyboard_wanted().starts_with("layers/");
     const bool known = context.session.layers().found().looked_at(context.session.topology());
     if (wanted || (known && status(context).count == 0)) open_ = true;
@@ -115,7 +116,7 @@ class LayersPanel {
       form_.set(wall->spacing);
       part_.set(wall->part);
     }
-    // A part is of its markers: others begin as a whole.
+    // A part belongs to its markers: for other markers begin with the whole wall.
     if (!wall && names_ != before) part_.set({});
     shown_ = wall ? names_ : std::vector<std::string>();
   }
@@ -185,8 +186,8 @@ class LayersPanel {
     if (shown && planned != wanted) context.emit(action::PreviewLayers{wanted});
     if (!shown && planned) context.emit(action::PreviewLayers{});
     if (preview_) {
-      // As much as any plan takes, whether it is there or not: the buttons below stay in their
-      // places.
+      // Reserve the height of a plan's text even without a plan, so that the buttons below do not
+      // move.
       const float end =
           ImGui::GetCursorPosY() + 2 * ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y;
       if (shown)
@@ -227,11 +228,11 @@ class LayersPanel {
     ui::note("layers/summary");
   }
 
-  /// A card that says what layers there are and what can be done with them.
+  /// Draws a card with the existing layers and the operations on them.
   void draw_status(const PanelContext& context) {
     const LayerStatus found = status(context);
     if (found.count == 0) {
-      // A line in either case, so that what stands below it stays there.
+      // One line in either case, so that the items below do not move.
       return ui::text_dim(context.session.layers().found().busy() ? "Looking for layers ..."
                                                                   : "The mesh has no layers.");
     }
@@ -300,7 +301,7 @@ class LayersPanel {
       open_ = !open_;
   }
 
-  /// A button for the layers that the walls have, where they may have some.
+  /// Draws a button for existing layers of the walls, if they can have some.
   void draw_in_place(const PanelContext& context) {
     const LayersCommand present = command(context, LayerTask::hold);
     if (!may_have_layers(*context.topology(), present.layers.walls)) return;
@@ -325,7 +326,7 @@ class LayersPanel {
     command.layers.walls = walls_.walls();
     if (command.layers.walls.empty())
       command.layers.walls = {{names_, form_.spacing(), part_.part()}};
-    if (task == LayerTask::insert)  // layers that are there have the columns that they have
+    if (task == LayerTask::insert)  // the columns of existing layers are fixed
       command.layers.overrides = columns_.on(*context.topology(), command.layers.walls);
     command.control = control_;
     command.smooth = context.session.solver_settings().smooth_options();
@@ -345,10 +346,10 @@ class LayersPanel {
   LayerResult result_;
   LayerOptions corners_;
   bool control_ = true, preview_ = true;
-  bool open_ = false;               // the settings are
-  std::uint64_t generation_ = 0;    // of the mesh that the walls are of
+  bool open_ = false;               // the settings are unfolded
+  std::uint64_t generation_ = 0;    // of the mesh of the walls
   std::vector<std::string> names_;  // markers selected
-  std::vector<std::string> shown_;  // of the wall whose settings the form has; empty: no wall's
+  std::vector<std::string> shown_;  // markers of the wall shown in the form; empty: none
 };
 
 }  // namespace

@@ -32,7 +32,7 @@ std::string title_of(const CutPlane& cut, std::size_t k) {
   return text + ", " + axis[1] + " = " + formatted(place, "%.5g");
 }
 
-/// Between which offsets along the normal a box lies.
+/// The range of a box's offsets along the normal.
 std::array<double, 2> span_of(const Box<3>& box, const Vec3& normal) {
   std::array<double, 2> span{std::numeric_limits<double>::max(),
                              std::numeric_limits<double>::lowest()};
@@ -46,7 +46,7 @@ std::array<double, 2> span_of(const Box<3>& box, const Vec3& normal) {
   return span;
 }
 
-/// The planes that cut a volume mesh.
+/// The list of cutting planes of a volume mesh.
 class CutsPanel {
  public:
   void draw(const PanelContext& context) {
@@ -184,7 +184,7 @@ class CutsPanel {
   }
 
   Box<3> extents_;                            // of the mesh
-  std::uint64_t generation_ = 0, shape_ = 0;  // that they are of
+  std::uint64_t generation_ = 0, shape_ = 0;  // for which they are valid
 };
 
 }  // namespace

@@ -18,8 +18,8 @@ std::string vector_text(const Vec3& v, double unit) {
   return text;
 }
 
-/// Areas and volumes of the open volume mesh: of all of it, of its markers, of the surface that is
-/// selected and of the elements that are shown alone.
+/// Areas and volumes of the open mesh in space: total, of markers, of the selected surface, and of
+/// isolated elements.
 class MeasuresPanel {
  public:
   void draw(const PanelContext& context) {
@@ -122,7 +122,7 @@ class MeasuresPanel {
     ui::note("measures/markers");
   }
 
-  // What the numbers are of.
+  // State for which the numbers are valid.
   std::uint64_t generation_ = 0, shape_ = 0;
   std::vector<Index> selected_;
   bool known_ = false;

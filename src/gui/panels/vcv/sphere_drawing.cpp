@@ -14,7 +14,8 @@ namespace {
 ImVec4 mixed(const ImVec4& a, const ImVec4& b, float share) {
   return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z), 1};
 }
-/// Of a solid angle: lighter than the map, so that edges and numbers are seen on it.
+/// Colour of a solid angle, lighter than in the colour map, so that edges and numbers are visible
+/// on it.
 Rgb tint(const ColorScale& colors, double angle) {
   Rgb c = colors.color(angle);
   for (float& part : c) part += 0.3f * (1 - part);
@@ -97,7 +98,7 @@ class Painter {
         list_.AddLine(pixel(piece.a), pixel(piece.b), hidden ? faded(color, 0.6f) : color, width);
   }
 
-  /// The edges of the link, and those from the node.
+  /// Draws the edges of the link and those from the node.
   void paint_lines(bool hidden) {
     double largest = 0;
     for (const double w : d_.weights) largest = std::max(largest, std::abs(w));
@@ -111,7 +112,7 @@ class Painter {
     if (hidden) list_.AddCircleFilled(centre_, theme_.px(3), palette().text);
     for (const auto& [a, b, c] : d_.link.triangles())
       for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-        if (p < q)  // the twin has it the other way round
+        if (p < q)  // the adjacent triangle has the reverse edge
           paint_line(d_.star.points[at(p)], d_.star.points[at(q)], hidden, palette().text,
                      theme_.px(hidden ? 1.0f : 1.3f));
     if (!d_.lit_face) return;
@@ -128,7 +129,7 @@ class Painter {
                               d_.lit == k ? palette().accent : palette().text_dim, 16);
   }
 
-  /// Points before the solid, the nearest first; the one that is lit up before all.
+  /// Points in front of the solid: first the highlighted one, then by distance, nearest first.
   std::vector<std::size_t> front_points() const {
     std::vector<std::pair<double, std::size_t>> points;
     for (std::size_t k = 0; k < ends_.size(); ++k)
@@ -142,7 +143,7 @@ class Painter {
     return order;
   }
 
-  /// Numbered discs, and dots where a disc would lie over another.
+  /// Draws numbered discs, or dots if a disc would overlap another one.
   void paint_points() {
     const float disc = theme_.px(disc_size);
     std::vector<ImVec2> discs;
@@ -166,7 +167,7 @@ class Painter {
     }
   }
 
-  /// Beside their points, away from the middle.
+  /// Draws the weights beside their points, on the outer side.
   void paint_weights() {
     for (const bool negative : {true, false})
       for (std::size_t k = 0; k < d_.weights.size(); ++k) {
@@ -213,8 +214,8 @@ class Painter {
     }
   }
 
-  /// The image of the unit sphere: its outline, and the three ellipses through its half axes, on
-  /// the far side faint.
+  /// Draws the image of the unit sphere: its outline and the three ellipses through its half axes,
+  /// faint on the far side.
   void paint_ellipsoid(const VolumeNodalView& view) {
     const ImU32 line = palette().move_line;
     const double width = 1 / camera_.units_per_pixel();

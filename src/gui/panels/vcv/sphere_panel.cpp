@@ -23,7 +23,7 @@ std::string corners_of(const SphereLink& link, std::size_t t) {
   return std::to_string(a + 1) + " " + std::to_string(b + 1) + " " + std::to_string(c + 1);
 }
 
-/// Head of a table, aligned to the right as its numbers are.
+/// Draws the head of a table, right-aligned like its numbers.
 void table_head(std::initializer_list<const char*> names) {
   bool first = true;
   for (const char* name : names) {
@@ -43,8 +43,8 @@ void cell(const std::string& text, bool bad = false) {
   ui::text_right(text, bad ? palette().danger : palette().text);
 }
 
-/// One node of a volume mesh: its star beside its virtual control volume on the sphere, what the
-/// operator knows there, and the means to change it.
+/// Inspects a node of a volume mesh: its star beside its VCV on the sphere, the values of the
+/// operator there, and controls to edit the VCV.
 class SpherePanel {
  public:
   void draw(const PanelContext& context) {
@@ -245,7 +245,7 @@ class SpherePanel {
     ui::number("vcv/length", length_, {}, "%.4g");
     const bool length_done = ImGui::IsItemDeactivatedAfterEdit();
     ImGui::EndGroup();
-    // From one field to the next none is active for a frame.
+    // When the focus moves between fields, no field is active for a frame.
     typing_ = ImGui::IsItemActive() ? 3 : std::max(typing_ - 1, 0);
     if (entered || length_done) typing_ = 0;
     if (entered && direction_.allFinite() && direction_.norm() > 0) {
@@ -303,7 +303,7 @@ class SpherePanel {
   SpherePlot plot_;
   bool large_ = false;
   int typed_node_ = 0;
-  std::optional<Index> shown_;            // node that the state below belongs to
+  std::optional<Index> shown_;            // node of the state below
   std::optional<std::size_t> hovered_;    // neighbour
   std::optional<std::size_t> over_face_;  // triangle, in the table
   std::size_t edge_ = 0;                  // whose numbers are in the fields
@@ -311,7 +311,7 @@ class SpherePanel {
   Vec3 direction_{0, 0, 1};  // as typed
   double length_ = 1;
   std::size_t spread_to_ = 0;  // which of the choices of "Apply to"
-  double radius_ = 0;          // of the second of them; 0: none yet
+  double radius_ = 0;          // of the second choice; 0: not set yet
   int typing_ = 0;             // frames for which the fields keep what was typed
 };
 

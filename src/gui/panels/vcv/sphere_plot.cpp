@@ -40,7 +40,7 @@ std::optional<std::size_t> point_at(const SpaceCamera& camera, const SphereLink&
 
 ColorScale SpherePlot::colors_of(const VolumeNodalView& view) {
   const double equal = 4 * pi / view.link.triangle_count();
-  double low = equal / 1.1, high = 1.1 * equal;  // rounding has no colours
+  double low = equal / 1.1, high = 1.1 * equal;  // rounding errors must not be coloured
   for (const SphereStar* star : {&view.physical, &view.vcv})
     for (const double angle : star->solid_angles) {
       low = std::min(low, std::max(angle, 0.0));
@@ -93,7 +93,8 @@ bool SpherePlot::drag(const Theme& theme) {
   const SpaceCamera& camera = drag_camera_;
   const Vec3 at = drag_->points()[drag_->edge()];
   if (io.KeyCtrl) {
-    // Along the edge as it lies on screen; one that points at the viewer gets longer upwards.
+    // Drag along the edge on screen; an edge that points at the viewer is lengthened by dragging
+    // upwards.
     const double unit = camera.units_per_pixel();
     const Vec3 direction = at.normalized();
     const double right = direction.dot(camera.right()), up = direction.dot(camera.up());
@@ -106,7 +107,7 @@ bool SpherePlot::drag(const Theme& theme) {
         0.5 * std::min(size.x(), size.y()) - static_cast<double>(theme.px(disc_size) + theme.px(2));
     drag_->stretch_to(length, unit * room / std::max(share, 0.2));
   } else {
-    // Over the sphere through the point; beside it, along its rim.
+    // Drag over the sphere through the point; outside it, along its outline.
     const Ray<3> ray = camera.unproject(mouse);
     const Vec3 toward = ray.direction.normalized();
     const double radius = at.norm();
@@ -185,7 +186,7 @@ SpherePlot::Outcome SpherePlot::draw(const VolumeNodalView& view, const Look& lo
     if (over[1]) outcome.hovered = point_at(cameras[1], view.link, view.vcv, theme);
   }
   if (drag_) {
-    // Under the mouse only the point that is dragged moves in the picture.
+    // During a drag only the dragged point moves in the picture.
     outcome.hovered = drag_->edge();
     shown = make_sphere_star(view.link, drag_->points());
     cameras[1] = drag_camera_;

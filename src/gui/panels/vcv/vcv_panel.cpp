@@ -12,8 +12,8 @@ namespace winslow::gui {
 
 namespace {
 
-/// One node: its star beside its virtual control volume, what the operator knows there, and the
-/// means to change it.
+/// Inspects a node: its star beside its VCV, the values of the operator there, and controls to edit
+/// the VCV.
 class VcvPanel {
  public:
   void draw(const PanelContext& context) {
@@ -146,7 +146,7 @@ class VcvPanel {
     ui::number("vcv/length", length_, {}, "%.4g");
     const bool length_done = ImGui::IsItemDeactivatedAfterEdit();
     typing_length_ = ImGui::IsItemActive();
-    // What is no number leaves the field as it was: that is no edit.
+    // Invalid input leaves the value unchanged and is no edit.
     if (angle_done && angle_ > 0 && angle_ < 180 && angle_ != edit.angles[edge_]) {
       const double rest = 360 - edit.angles[edge_];
       for (double& angle : edit.angles) angle *= (360 - angle_) / rest;
@@ -212,7 +212,7 @@ class VcvPanel {
   }
 
   std::function<bool(Index)> within(const PanelContext& context, Index middle) const;
-  /// What the nodes depend on that a VCV is applied to.
+  /// The inputs that determine the nodes to which a VCV is applied.
   struct SpreadTo {
     std::uint64_t shape = 0;
     Index node = -1;
@@ -223,7 +223,7 @@ class VcvPanel {
   };
   VcvPlot plot_;
   int typed_node_ = 0;
-  std::optional<Index> shown_;          // node that the state below belongs to
+  std::optional<Index> shown_;          // node of the state below
   std::optional<std::size_t> hovered_;  // neighbour, in the table
   std::size_t edge_ = 0;                // whose numbers are in the fields
   double angle_ = 0, length_ = 0;       // as typed
@@ -231,13 +231,14 @@ class VcvPanel {
   bool star_figures_ = false;  // the table shows the physical star
   std::size_t spread_to_ = 0;
   double radius_ = 0;
-  SpreadTo spread_;  // that targets_ were found for: all nodes are gone through
+  SpreadTo spread_;  // inputs of targets_, which require a loop over all nodes
   std::vector<Index> targets_;
 };
 
 }  // namespace
 
-/// Whether a node lies within the radius of another; of a surface on the same side of it.
+/// A test whether a node lies within the radius of another; on a surface mesh also on the same
+/// side.
 std::function<bool(Index)> VcvPanel::within(const PanelContext& context, Index middle) const {
   const Coordinates& x = context.session.coordinates();
   if (context.session.kind() == MeshKind::plane)

@@ -105,7 +105,7 @@ void LabelPlacer::block(const ImVec2& centre, float half) {
 bool LabelPlacer::is_free(const Rect& rect) const {
   const bool inside =
       rect.min.x >= min_.x && rect.min.y >= min_.y && rect.max.x <= max_.x && rect.max.y <= max_.y;
-  if (!inside) return false;  // nor are numbers that are none
+  if (!inside) return false;  // also rejects NaN
   return std::none_of(taken_.begin(), taken_.end(), [&](const Rect& other) {
     return rect.min.x < other.max.x && rect.max.x > other.min.x && rect.min.y < other.max.y &&
            rect.max.y > other.min.y;

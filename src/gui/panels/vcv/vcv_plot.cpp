@@ -12,7 +12,7 @@ constexpr double filling = 0.76;     // the longest edge, over half of the pictu
 
 std::string angle_text(double angle) { return formatted(degrees(angle), "%.0f\xC2\xB0"); }
 
-/// What is drawn of one star.
+/// Data for the drawing of one star.
 struct Drawing {
   ImDrawList& list;
   const Theme& theme;
@@ -27,7 +27,7 @@ void draw_polygon(const Drawing& d) {
   for (std::size_t k = 0; k < n; ++k) {
     const ImVec2& p = d.ends[k];
     const ImVec2& q = d.ends[(k + 1) % n];
-    // An inverted triangle of the physical star is a warning of its own.
+    // Inverted triangles of the physical star are marked as a warning.
     const bool inverted = d.star.areas[k] < 0;
     d.list.AddTriangleFilled(d.centre, p, q,
                              inverted ? palette().danger_soft : palette().accent_soft);
@@ -68,7 +68,7 @@ void label_angles(const Drawing& d, LabelPlacer& labels) {
   }
 }
 
-/// Negative weights first: there may not be room for all.
+/// Labels negative weights first, since there may not be room for all.
 void label_weights(const Drawing& d, std::span<const double> weights, LabelPlacer& labels) {
   for (const bool negative : {true, false})
     for (std::size_t k = 0; k < weights.size(); ++k)
@@ -252,7 +252,7 @@ VcvPlot::Outcome VcvPlot::draw(const NodalView& view, std::optional<std::size_t>
   if (over_star) outcome.hovered = end_at(star_frame, view.physical, mouse, reach);
   drive_drag(view, frame, theme.px(disc_size + 2), over_vcv ? outcome.hovered : std::nullopt,
              outcome);
-  // Under the mouse only the edge that is dragged moves in the picture.
+  // During a drag only the dragged edge moves in the picture.
   Star shown = view.vcv;
   if (drag_) {
     outcome.hovered = drag_->edge();
