@@ -37,9 +37,9 @@ struct InputState {
 };
 
 /// Events in order of arrival. One frame may contain several events, but no two that it could not
-/// distinguish: a press and its release, a press and a later motion, a key and the release of its
-/// Control key, the same character twice, or a character after Tab or Enter. Text typed after a
-/// command's key with Ctrl or Alt waits some frames for a field that the command may open.
+/// distinguish. These are: a press and its release, a press and a later motion, a key and the
+/// release of its Control key, the same character twice, a character after Tab or Enter. Text typed
+/// after a command's key with Ctrl or Alt waits some frames for a field that the command may open.
 class InputQueue {
  public:
   void move(const ScreenPoint& position) { events_.push_back(Move{position, true}); }

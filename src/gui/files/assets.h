@@ -21,7 +21,7 @@ bool bundled(const std::filesystem::path& path);
 constexpr const char* bundled_text =
     "What comes with the program stays as it is. Choose another folder to write to.";
 
-/// A mesh that comes with the program.
+/// A mesh bundled with the program.
 struct BundledMesh {
   std::string id;     ///< "naca0012"
   std::string file;   ///< name for bundled_path(): "naca0012.su2"

@@ -149,10 +149,10 @@ void handle_shortcuts(const PanelContext& context, bool dragging);
 /// How well a command matches a query; none: it does not.
 ///
 /// Commands that contain every word of the query rank first: those with whole words in their label
-/// ("case e" finds "Case E"), then those with a word of the label that starts with a word of the
-/// query ("rot" finds "Rotate"), then those found by `words`, the other search terms. Other
-/// commands match by their letters in order (fuzzy_score()): "legnd" finds "Legend". A plural finds
-/// the singular. Empty queries match everything equally.
+/// ("case e" finds "Case E"), then those with beginnings of words in their label ("rot" finds
+/// "Rotate"), then those found by `words`. Other commands match by their letters in order
+/// (fuzzy_score()): "legnd" finds "Legend". A plural finds the singular. Empty queries match
+/// everything equally.
 ///
 /// A score of at least `found_by_words` means that all words of the query were found; a lower one
 /// means that only its letters were.

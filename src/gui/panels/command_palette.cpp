@@ -131,7 +131,7 @@ bool CommandPalette::draw_row(const PanelContext& context, const Row& row, bool 
   ui::tooltip(row.command.tooltip);
   const bool can = row.reason.empty();
   const float pad = theme.px(8);
-  // At the right the keys, or why it is unavailable; left of them the menu that contains it.
+  // At the right the keys, or why it is unavailable; at the left the menu that contains it.
   const std::string right = can ? chords_text(row.command.keys) : row.reason;
   const float right_width = ImGui::CalcTextSize(right.c_str()).x;
   const float y = start.y + theme.px(6);

@@ -41,7 +41,7 @@ class SettingsFile {
   SettingsFile(const SettingsFile&) = delete;
   SettingsFile& operator=(const SettingsFile&) = delete;
 
-  /// As read from the file.
+  /// The settings read from the file.
   const Settings& initial() const { return initial_; }
   /// Passes the present settings. seconds: since the last call.
   void keep(const Settings& now, double seconds);

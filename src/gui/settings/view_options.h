@@ -15,7 +15,7 @@ struct MarkerLook {
   bool locked = false;  ///< drawn, but neither selected nor moved
   std::optional<std::array<float, 3>>
       color;  ///< red, green, blue, 0 to 1; none: by the marker's number
-  // In space.
+  // For meshes in space only.
   MarkerDrawing drawing = MarkerDrawing::automatic;
   double opacity = 1;  ///< of its surface, 0.1 to 1
 

@@ -45,7 +45,7 @@ PlotAxis inverted_axis(std::span<const IterationRecord> history);
 PlotAxis sine_axis(std::span<const IterationRecord> history);
 
 /// The decades of a logarithmic axis to label, with room for about `wanted` labels: equally spaced,
-/// including the lowest; always at least two.
+/// including the lowest; at least two if the axis has as many.
 std::vector<int> named_decades(const PlotAxis& axis, int wanted);
 
 /// Reduces points, ordered from left to right, to distinguishable ones: the first, lowest, highest

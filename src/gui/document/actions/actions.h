@@ -119,7 +119,7 @@ struct SavePicture {
   std::filesystem::path path;
   bool overwrite = false;
 };
-/// As SetPictureSpec.
+/// Replaces all settings of recordings, see SetPictureSpec.
 struct SetRecordingSpec {
   RecordingSpec spec;
 };

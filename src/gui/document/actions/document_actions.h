@@ -179,7 +179,7 @@ struct DragTo {
 struct EndDrag {};
 struct CancelDrag {};
 
-/// What is selected, hovered, pinned and inspected. Carried out by Selection.
+/// The selected, hovered, pinned and inspected items. Carried out by Selection.
 
 struct SelectMarkers {
   std::vector<Index> markers;
@@ -204,8 +204,8 @@ struct SetSpaceAxis {
 struct TakePivot {
   PivotSource source;
 };
-/// Makes the next click in a volume mesh pick a pivot from a node, an edge, a face, or two nodes,
-/// of which `first` is already picked; none: cancels this.
+/// Makes the next click in a volume mesh pick a pivot: from a node, an edge, a face, or two nodes,
+/// of which `first` is already picked. none: cancels this.
 struct PickPivot {
   std::optional<PivotFrom> from;
   std::optional<Index> first = {};

@@ -54,7 +54,7 @@ class Autosave {
   std::shared_ptr<SessionFolder> folder_;  // used only by tasks
   std::deque<Orphan> orphans_;             // newest first
   std::vector<Orphan> taken_over_;         // removed once saved in the folder of this studio
-  std::uint64_t restored_generation_ = 0;  // of the mesh that came from restored_mesh_
+  std::uint64_t restored_generation_ = 0;  // of the mesh read from restored_mesh_
   std::filesystem::path restored_mesh_;
   Mark written_;
   bool complained_ = false;

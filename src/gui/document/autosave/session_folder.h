@@ -27,7 +27,7 @@ class FolderLock {
 struct SessionRecord {
   std::uint64_t generation = 0;    ///< of the open mesh
   std::filesystem::path source;    ///< the file that was opened
-  std::filesystem::path path;      ///< where it is saved
+  std::filesystem::path path;      ///< the file to which it is saved
   std::filesystem::path mesh;      ///< file from which to copy the mesh as opened
   std::optional<FileStamp> stamp;  ///< of that file as it was read
   History history;
@@ -36,9 +36,9 @@ struct SessionRecord {
 };
 
 /// Writes the session of one running studio into a separate folder. The folder holds a copy of the
-/// mesh file as opened (or the mesh itself if that file has changed since), a file per step, and a
-/// manifest that names them, written last and atomically. For a thread other than the interface's,
-/// one call at a time.
+/// mesh file as opened, or the mesh itself if that file has changed since. It also holds a file per
+/// step, and a manifest of all files, written last and atomically. For a thread other than the
+/// interface's, one call at a time.
 class SessionFolder {
  public:
   /// The first write creates the folder below `root`.

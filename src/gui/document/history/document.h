@@ -89,7 +89,7 @@ class Document {
   /// True if the mesh has unsaved changes of the user.
   bool modified() const { return saved_.lacks(edits_.revision()); }
 
-  /// Of the mesh as it was opened.
+  /// Quality of the mesh as opened.
   const QualityReport& loaded_quality() const { return loaded_quality_; }
   /// Boundary of a mesh in space, whose faces no command changes; null for a plane mesh.
   const std::shared_ptr<const VolumeBoundary>& boundary() const { return boundary_; }

@@ -19,7 +19,7 @@ class EditHistory {
     std::uint64_t revision = 0;
     double seconds = 0;  ///< wall time of the command that led there
   };
-  /// Of each position.
+  /// The tags of all positions.
   const std::vector<Tag>& tags() const { return tags_; }
   /// Identifies the present mesh among all meshes of this history.
   std::uint64_t revision() const { return tags_[history_.position()].revision; }

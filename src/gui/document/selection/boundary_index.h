@@ -45,7 +45,7 @@ class BoundaryIndex {
   const std::vector<Body>& bodies() const { return bodies_; }
   /// The body of a marker; null for a marker inside the mesh.
   const Body* body_of(Index marker) const;
-  /// Where a node is now.
+  /// Present position of a node.
   Vec2 position(Index node) const { return coordinates_.xy(node); }
   /// Largest distance of a point from the markers' nodes.
   double reach(const std::vector<Index>& markers, const Vec2& point) const;

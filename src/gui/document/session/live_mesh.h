@@ -26,7 +26,7 @@ class OngoingWork {
 
   // Of the work that is shown; null while none is active.
   const Coordinates* coordinates() const;
-  /// That coordinates() are of: a job may change it on its way.
+  /// Topology of coordinates(): a running job may change it.
   const std::shared_ptr<const Topology>* topology() const;
   /// The mesh at its start.
   const MeshState* base() const;
@@ -92,7 +92,7 @@ class LiveMesh {
 
   /// The mesh on screen.
   const Coordinates& coordinates() const;
-  /// Topology of coordinates(): a running job may change it.
+  /// Topology of coordinates(): a running job may change it. Null without a mesh.
   const std::shared_ptr<const Topology>& topology() const;
   /// Both, as an immutable mesh. Null without a mesh.
   std::shared_ptr<const Mesh> shared() const;

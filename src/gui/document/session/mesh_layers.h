@@ -89,7 +89,7 @@ class MeshLayers {
 
   /// Layers planned but not inserted.
   const LayerPreview& preview() const { return preview_; }
-  /// Layers that came with the mesh.
+  /// Layers contained in the file of the mesh.
   const FoundLayers& found() const { return found_; }
   /// True if the layers of all these walls are held.
   bool all_held(const std::vector<LayerWall>& walls) const;

@@ -19,7 +19,7 @@ class MessageBoard {
   const Prompt* prompt() const { return prompts_.empty() ? nullptr : &prompts_.front(); }
   void ask(Prompt prompt) { prompts_.push_back(std::move(prompt)); }
   void report_error(std::string title, std::string text);
-  /// Returns false, and tells the user, for a path among the meshes that come with the program.
+  /// Returns false, and tells the user, for a path among the bundled meshes.
   bool may_write(const std::filesystem::path& path);
   /// Returns false if a file exists that must not be replaced yet; then asks the user and carries
   /// out `again` upon consent. why: an explanation to append, starting with a blank.

@@ -59,7 +59,7 @@ class QualityMonitor {
   void request(std::uint64_t shape, const Subject& subject, const Wish& wish, bool live);
   /// Measures synchronously.
   void measure_now(std::uint64_t shape, const Subject& subject, const Wish& wish);
-  /// True if a newer measurement has come in.
+  /// True if there is a newer measurement.
   bool poll();
   /// The latest measurement; null if there is none of the present topology.
   const std::shared_ptr<const Measured>& latest() const { return latest_; }

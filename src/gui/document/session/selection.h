@@ -174,13 +174,13 @@ class Selection {
   /// A deformation of the selection that has not been carried out.
   struct DeformationPreview {
     SineDeformation shape;
-    std::vector<std::pair<Vec3, Vec3>> outline;  ///< edges where it would put them
+    std::vector<std::pair<Vec3, Vec3>> outline;  ///< edges in their new position
   };
   const std::optional<DeformationPreview>& deformation_preview() const { return preview_; }
   /// A typed rigid motion of the selection that has not been carried out.
   struct MotionPreview {
     RigidMotion motion;
-    std::vector<std::pair<Vec3, Vec3>> outline;  ///< edges where it would put them
+    std::vector<std::pair<Vec3, Vec3>> outline;  ///< edges in their new position
   };
   const std::optional<MotionPreview>& motion_preview() const { return motion_preview_; }
   void drop_preview() {

@@ -25,7 +25,7 @@ bool just_inserted(const History& history, const LayerOptions& options) {
 /// Summary of the layers of the mesh.
 struct LayerStatus {
   int count = 0;        ///< largest number at any wall
-  std::string markers;  ///< where
+  std::string markers;  ///< markers with layers
   bool known = false;   ///< inserted or held here; otherwise from the file
   bool held = false;
 };

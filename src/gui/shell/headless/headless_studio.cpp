@@ -128,7 +128,7 @@ class FrameTaker {
       recorder_.add(painter.picture_of(x, spec));  // waits for the disk if necessary
   }
 
-  /// Returns what to tell the user.
+  /// Finishes the film and returns a message for the user.
   std::string finish() {
     recorder_.stop();
     for (;;) {
