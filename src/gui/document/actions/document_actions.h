@@ -18,7 +18,7 @@ namespace winslow::gui::action {
 struct OpenMesh {
   std::filesystem::path path;
   bool discard_changes = false;  ///< false: ask if the open mesh has unsaved changes
-  int zone = 0;                  ///< zone of a file with several; 0: the first
+  int zone = 0;                  ///< zone, if the file has several; 0: the first
 };
 struct SaveMesh {
   std::filesystem::path path;   ///< empty: the file of the mesh

@@ -32,7 +32,7 @@ struct SessionRecord {
   std::optional<FileStamp> stamp;  ///< of that file as it was read
   History history;
   std::vector<EditHistory::Tag> tags;  ///< of each position
-  int zone = 0;                        ///< the open zone of a file with several
+  int zone = 0;                        ///< the open zone, if the file has several
 };
 
 /// Writes the session of one running studio into a separate folder. The folder holds a copy of the

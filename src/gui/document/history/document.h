@@ -73,8 +73,8 @@ class Document {
     std::shared_ptr<const VolumeBoundary> boundary;
     std::shared_ptr<const SurfaceDistance> given;  ///< of a surface mesh as opened; otherwise null
   };
-  /// Reads and prepares a mesh. zone: of a file with several; 0: the first. Throws the exceptions
-  /// of io::read_mesh.
+  /// Reads and prepares a mesh. zone: for a file with several zones; 0: the first. Throws the
+  /// exceptions of io::read_mesh.
   static Loaded load(const std::filesystem::path& path, int zone = 0);
 
   explicit Document(Loaded loaded);
