@@ -14,7 +14,7 @@ class JobRunner {
     std::optional<CommandResult> result;  ///< none: it failed
     std::string error;
     double seconds = 0;   ///< from its start, pauses included
-    bool paused = false;  ///< the user paused it
+    bool paused = false;  ///< the user was stepping through it
   };
 
   bool active() const { return active_; }
