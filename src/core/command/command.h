@@ -8,7 +8,7 @@
 #include "core/strategy/smooth_options.h"
 #include "core/vcv/vcv_edit.h"
 
-/// A client says what is to be done and looks at what came of it:
+/// A client describes an edit as a command, executes it and reads the result:
 ///
 ///     winslow::MoveCommand move;
 ///     move.bodies[0].markers = {"flap"};
@@ -19,15 +19,16 @@
 /// Every edit of a mesh is one of these commands. The command line, the studio, undo and recipes
 /// all go through execute(); nothing else changes a mesh.
 ///
-/// TO ADD A COMMAND, write a header with a struct that has `name`, `summary` and `beyond_table`,
-/// and `serves_surfaces` and `serves_volumes`, the kinds of meshes that take it besides plane ones,
-/// and with option_table(), describe_one() and execute_one() for it, and put the struct into
-/// Command. Recipes, the command line, forms and histories follow. Where beyond_table says that it
-/// holds more than its option table does (lists, other objects), those three ask for functions of
-/// their own: without them it does not compile.
+/// TO ADD A COMMAND, write a header with a struct that has `name`, `summary`, `beyond_table`,
+/// `serves_surfaces` and `serves_volumes` (the kinds of meshes, besides plane ones, that accept the
+/// command). Add option_table(), describe_one() and execute_one() for the struct, and the struct to
+/// Command. Recipes, the command line, forms and histories then support it. If beyond_table is
+/// true, the struct has members that its option table lacks (lists, other objects). Recipes, the
+/// command line and forms then need functions for these members: without them the program does not
+/// compile.
 namespace winslow {
 
-/// Smooth the interior, the boundary held.
+/// Smooths the interior and holds the boundary.
 struct SmoothCommand {
   static constexpr std::string_view name = "smooth";
   static constexpr std::string_view summary = "Smooth the interior, the boundary held";
@@ -36,7 +37,7 @@ struct SmoothCommand {
   SmoothOptions smooth;
 };
 
-/// Move bodies rigidly and together, each by a motion of its own, then smooth.
+/// Moves bodies rigidly and simultaneously, each by its own motion, then smooths.
 struct MoveCommand {
   static constexpr std::string_view name = "move";
   static constexpr std::string_view summary = "Move bodies rigidly, then smooth";
@@ -47,7 +48,7 @@ struct MoveCommand {
   SmoothOptions smooth;
 };
 
-/// Change the shape of bodies, then smooth.
+/// Changes the shape of bodies, then smooths.
 struct DeformCommand {
   static constexpr std::string_view name = "deform";
   static constexpr std::string_view summary = "Change the shape of bodies, then smooth";
@@ -59,7 +60,7 @@ struct DeformCommand {
   SmoothOptions smooth;
 };
 
-/// Put every free node at a random place of the mesh's bounding box (case C of the paper).
+/// Moves every free node to a random position in the mesh's bounding box (case C of the paper).
 struct ScrambleCommand {
   static constexpr std::string_view name = "scramble";
   static constexpr std::string_view summary =
@@ -70,8 +71,8 @@ struct ScrambleCommand {
   std::uint64_t seed = 1;
 };
 
-/// Change virtual control volumes, then smooth towards them, the boundary held. The VCVs stay with
-/// the mesh: later commands smooth towards them, too.
+/// Changes virtual control volumes, then smooths towards them with the boundary held. The VCVs stay
+/// with the mesh: later commands smooth towards them, too.
 struct EditVcvCommand {
   static constexpr std::string_view name = "edit_vcv";
   static constexpr std::string_view summary = "Change virtual control volumes, then smooth";
@@ -81,7 +82,7 @@ struct EditVcvCommand {
   SmoothOptions smooth;
 };
 
-/// Insert layers of quadrilaterals at walls, or see to those that a mesh has, then smooth.
+/// Inserts layers of quadrilaterals at walls, or respaces or holds existing layers, then smooths.
 /// AIAA 2009-1362, cases E and F.
 struct LayersCommand : LayerRequest {
   static constexpr std::string_view name = "layers";
@@ -95,35 +96,38 @@ using Command = std::variant<SmoothCommand, MoveCommand, DeformCommand, Scramble
 
 /// "smooth", "move", ...
 std::string_view command_name(const Command& command);
-/// One of each kind, as their structs make them, in the order of Command.
+/// One default-constructed command of each kind, in the order of Command.
 std::vector<Command> all_commands();
 /// One line for lists and undo menus, e.g. "Rotate flap by -40 deg".
 std::string describe(const Command& command);
 /// Smoothing options of a command, null if it has none.
 SmoothOptions* smooth_options(Command& command);
 const SmoothOptions* smooth_options(const Command& command);
-/// A motion leads through valid meshes from its start to its end, so that limits of the quality can
-/// be kept on the way: no steps are asked for, the mesh is smoothed, and not by a fixed point.
+/// True if the motion follows a path of valid meshes from start to end, so that quality limits can
+/// be kept on the way. This requires increments 0, smoothing, and a method other than the fixed
+/// point.
 bool follows_path(const MotionOptions& how, const SmoothOptions& smooth);
-/// True of a command that is there to change the heights of cells at walls.
+/// True for a command whose purpose is to change the heights of cells at walls.
 bool asks_for_heights(const Command& command);
 /// Markers that a command names.
 std::vector<std::string> markers_of(const Command& command);
 
-/// The command with the pivot that a rotation leaves to its body: body_centre() of all nodes of the
-/// body's markers. `states`: the meshes that it is about, several for the zones of a file, in which
-/// a body then turns as one. Markers that none has are for execute() to refuse.
+/// Returns the command with a pivot for each rotation that has none: body_centre() of all nodes of
+/// the body's markers. `states`: the meshes to which the command applies. For the zones of a file
+/// these are several, and a body then rotates as one across them. execute() refuses markers that no
+/// mesh has.
 Command with_pivot(Command command, std::span<const MeshState* const> states);
 
-/// A command with all that it asks of files. A command that asks for nothing, as most do, becomes
-/// one by itself; of others io::resolve_files() makes one, or who has the surface:
+/// A command with the contents of all files that it refers to. Most commands refer to no file and
+/// convert implicitly. For the others io::resolve_files() makes one, or a client that has the
+/// surface:
 ///
 ///     smooth.smooth.slide.reference = "hull";  // any name
 ///     const winslow::ResolvedCommand ready(smooth, {.reference = surface});
 class ResolvedCommand {
  public:
-  /// Throws UsageError for a command that asks for what is not in `files`, and for a surface that
-  /// it does not name.
+  /// Throws UsageError if the command refers to a file that `files` lacks, or if `files` has a
+  /// surface that the command does not name.
   ResolvedCommand(Command command, SlideFiles files = {});
   template <class Kind>
   requires(std::constructible_from<Command, Kind> && !std::same_as<Kind, Command> &&
@@ -141,13 +145,13 @@ class ResolvedCommand {
 
 struct CommandResult {
   MeshState state;
-  SmoothResult smooth;  ///< of commands that smooth nothing: converged, no iterations
+  SmoothResult smooth;  ///< for commands without smoothing: converged, no iterations
 };
 
-/// Carries out a command on a copy of the state, a mesh far from the origin in coordinates near it
-/// (LocalFrame). Throws UsageError for options that are out of
-/// range, Cancelled, NumericError; the input state is never touched. A result with inverted
-/// elements is returned, not hidden: look at result.smooth.inverted.
+/// Executes a command on a copy of the state. A mesh far from the origin is shifted to near the
+/// origin for the computation (LocalFrame). Throws UsageError for options that are out of range,
+/// Cancelled, NumericError; the input state is never changed. A result with inverted elements is
+/// returned, not hidden: look at result.smooth.inverted.
 CommandResult execute(const ResolvedCommand& command, const MeshState& state,
                       const RunOptions& options = {});
 

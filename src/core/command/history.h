@@ -18,7 +18,7 @@ class History {
   const MeshState& state() const;
   const MeshState& initial() const { return steps_.front()->state; }
 
-  /// Appends a finished command; forgets what could have been redone.
+  /// Appends a finished command; drops the steps that could have been redone.
   void push(Command command, CommandResult result);
 
   /// Drops the steps after the present position.
@@ -28,8 +28,8 @@ class History {
   bool can_redo() const { return position_ + 1 < steps_.size(); }
   void undo();
   void redo();
-  /// Position 0 is the mesh as loaded; position k follows command k. Throws UsageError if there is
-  /// none.
+  /// Position 0 is the mesh as loaded; position k is the mesh after command k. Throws UsageError if
+  /// there is no such position.
   void go_to(std::size_t position);
   std::size_t position() const { return position_; }
   std::size_t size() const { return steps_.size(); }

@@ -3,8 +3,8 @@
 #include "core/command/command.h"
 #include "core/strategy/run.h"
 
-/// A mesh whose bodies move again and again, as in the time loop of a flow solver. Every place is
-/// told from the mesh as it was given, and the last mesh is where the solver begins:
+/// A mesh whose bodies move many times, as in the time loop of a flow solver. Every motion is
+/// relative to the mesh as given; the solver starts from the last mesh:
 ///
 ///     winslow::MovingMesh moving(state);
 ///     winslow::MoveCommand move;
@@ -15,22 +15,22 @@
 ///     }
 namespace winslow {
 
-/// The mesh of a place is the same whatever way led there, to within the tolerances: elements
-/// strive for the shapes that they have in the mesh as given, so that nothing drifts, and a body
-/// that is back where it was finds the mesh that it had. Steps are cheaper than commands one by
-/// one: a step begins from the last mesh, and targets, patterns and orderings are kept
+/// To within the tolerances, the mesh depends only on the position of the bodies, not on the path
+/// to it. The targets are the element shapes of the mesh as given, so errors do not accumulate, and
+/// a body that returns to an earlier position gets the earlier mesh. A step is cheaper than a
+/// separate command: it starts from the last mesh and reuses targets, patterns and orderings
 /// (SolverCache).
 ///
-/// One call at a time. A call that throws, Cancelled included, changes nothing: the last mesh is
-/// the one of the call before.
+/// One call at a time. A call that throws, Cancelled included, changes nothing: the last mesh
+/// remains that of the previous call.
 class MovingMesh {
  public:
   explicit MovingMesh(MeshState given) : given_(std::move(given)) {}
 
-  /// What the command makes of the mesh as given. Where no way leads there from the last mesh, that
-  /// from the mesh as given is tried. options: `start` and `cache` are this object's. The result is
-  /// where the next call begins if it is valid, complete and of the same elements. Throws as
-  /// execute() does.
+  /// Returns the result of the command on the mesh as given. If the solver finds no valid path from
+  /// the last mesh, it starts from the mesh as given. options: this object sets `start` and
+  /// `cache`. The next call starts from the result if that is valid, complete and of the same
+  /// elements. Throws as execute() does.
   CommandResult to(const ResolvedCommand& command, RunOptions options = {});
 
   const MeshState& given() const { return given_; }

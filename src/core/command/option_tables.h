@@ -3,7 +3,7 @@
 #include "core/command/command.h"
 #include "core/options/option.h"
 
-/// Options by their names, as files and command lines have them:
+/// Options by the names that files and command lines use:
 ///
 ///     winslow::MoveCommand move;
 ///     for (const winslow::Option& option : winslow::option_table(move))
@@ -13,9 +13,9 @@ namespace winslow {
 OptionTable option_table(QualityFloor& floor);
 OptionTable option_table(MotionOptions& how);
 
-/// All that a user can set of a command, but for markers, lists (walls, VCVs, displacements) and
-/// how it is smoothed. Of a MoveCommand of one body its motion is in the table, too; each of
-/// several has a table of its own.
+/// All options of a command except markers, lists (walls, VCVs, displacements) and smoothing
+/// options. The table of a MoveCommand with one body includes the body's motion. If there are
+/// several bodies, each motion has its own table.
 OptionTable option_table(SmoothCommand& command);
 OptionTable option_table(MoveCommand& command);
 OptionTable option_table(DeformCommand& command);

@@ -3,7 +3,7 @@
 #include "core/drag/drag_grip.h"
 #include "core/mesh/mesh.h"
 
-/// A body follows the mouse, and its last place becomes a command:
+/// Moves a body with the mouse; the last position becomes a command:
 ///
 ///     winslow::DragSession drag(state, grip, winslow::SmoothOptions());
 ///     const winslow::DragFrame& shown = drag.to(motion);  // at once; draw shown.coordinates
@@ -13,44 +13,44 @@ namespace winslow {
 /// What is shown under the mouse.
 struct DragFrame {
   Coordinates coordinates;  ///< a valid mesh, always
-  RigidMotion motion;       ///< where the body is in it, seen from the state
-  bool held = false;        ///< the mesh cannot go where the mouse is (yet): the last valid one
-  bool limit = false;       ///< held, and the path to where the mouse is ended on the way
-  double share = 1;         ///< of the way from the state to where the mouse is
+  RigidMotion motion;       ///< of the body in this mesh, relative to the state
+  bool held = false;        ///< no valid mesh for the mouse position (yet): shows the last valid one
+  bool limit = false;       ///< held, because the path to the mouse position is blocked
+  double share = 1;         ///< share of the motion from the state to the mouse position
   double min_sine = 0;      ///< of the frame's elements
-  /// What the body would touch on the way to where the mouse is; none: nothing that is known of.
+  /// What the body would touch on the way to the mouse position; none: no known contact.
   std::optional<EdgePair> contact = {};
 };
 
-/// A drag with the mouse, of a plane mesh or of a volume mesh: every position asked for is answered
-/// at once, by the tangent fields of the last mesh that was solved for and an exact check of
-/// validity. Meanwhile a thread follows the path to the last position and prepares the fields anew
+/// Drags a body or a part of one in a plane or volume mesh. Every requested position is answered at
+/// once: the tangent fields of the last solved mesh predict the new mesh, and an exact check tests
+/// its validity. Meanwhile a thread follows the path to the last position and recomputes the fields
 /// there. Members are called from one thread and never wait, except the destructor, which cancels
 /// and joins.
 class DragSession {
  public:
-  /// A mesh to go on from: valid, the grip moved by `motion` from where it is in the state.
+  /// A valid mesh to continue from. The grip is moved by `motion` from its position in the state.
   struct Start {
     Coordinates coordinates;
     RigidMotion motion;
   };
-  /// state: a valid mesh, which the motions refer to. grip: what is held. start: where the drag
-  /// goes on from, if not from the state itself. files: what the options ask for. Throws UsageError
-  /// for unknown markers, out-of-range options, those that ask for what is not in `files`, a
-  /// tangled mesh or a surface mesh.
+  /// state: a valid mesh, to which the motions refer. grip: what is held. start: where the drag
+  /// continues, if not at the state itself. files: contents of the files that the options name.
+  /// Throws UsageError for unknown markers, options that are out of range or name a file that
+  /// `files` lacks, a tangled mesh, or a surface mesh.
   DragSession(MeshState state, DragGrip grip, const SmoothOptions& options,
               std::optional<Start> start = {}, const SlideFiles& files = {});
-  /// What is shown at first, for who has yet to read the files. start: null for none. Throws what
-  /// the constructor throws of all but files.
+  /// The first frame, for a client that has not read the files yet. start: null for none. Throws as
+  /// the constructor does, except for files.
   static DragFrame first_frame(const MeshState& state, const DragGrip& grip,
                                const SmoothOptions& options, const Start* start);
   ~DragSession();
   DragSession(const DragSession&) = delete;
   DragSession& operator=(const DragSession&) = delete;
 
-  /// The mesh with the body moved by `motion` from where it is in the state, or as near to it as
-  /// was valid so far. A motion without a pivot turns about the middle of what is held. Throws
-  /// UsageError for a motion that the mesh does not have.
+  /// Returns the mesh with the body moved by `motion` from its position in the state, or the
+  /// nearest valid mesh found so far. A motion without a pivot rotates about the centre of what is
+  /// held. Throws UsageError for a motion that a mesh of this dimension does not have.
   const DragFrame& to(const RigidMotion& motion);
   /// False until the first fields are prepared; to() holds the state until then.
   bool ready() const;
@@ -59,8 +59,8 @@ class DragSession {
   bool settled() const;
   /// Number of meshes solved for so far.
   int corrections() const;
-  /// Grows whenever to() may have a better answer to the same motion: after a correction, and
-  /// with every valid mesh on the way to one that takes long.
+  /// Increases whenever to() may have a better answer to the same motion: after each correction,
+  /// and after every valid intermediate mesh of a long correction.
   int revision() const;
   /// Why no more corrections come; empty as long as they do.
   std::string error() const;

@@ -2,7 +2,7 @@
 
 #include "core/command/command.h"
 
-/// A command beside a user interface:
+/// Runs a command in the background of a user interface:
 ///
 ///     winslow::SolverThread solver;
 ///     solver.run(state, command);
@@ -28,8 +28,8 @@ struct Snapshot {
   std::string error;                     ///< with state failed: what to tell the user
 };
 
-/// Runs commands on a thread of its own. Every member returns at once (none waits for an
-/// iteration), except the destructor, which cancels and joins. Members are called from one thread.
+/// Runs commands on its own thread. Every member returns at once (none waits for an iteration),
+/// except the destructor, which cancels and joins. Call the members from one thread.
 class SolverThread {
  public:
   SolverThread();
@@ -37,9 +37,8 @@ class SolverThread {
   SolverThread(const SolverThread&) = delete;
   SolverThread& operator=(const SolverThread&) = delete;
 
-  /// Starts a command on a state; one that is under way is cancelled first. `start`: interior to
-  /// start from (see RunOptions::start). paused: stop before the first iteration. Returns the
-  /// job's number.
+  /// Starts a command on a state; a running job is cancelled first. `start`: interior to start from
+  /// (see RunOptions::start). paused: stop before the first iteration. Returns the job's number.
   std::uint64_t run(std::shared_ptr<const MeshState> state, Command command,
                     std::optional<Coordinates> start = {}, bool paused = false);
   std::uint64_t run(MeshState state, Command command, std::optional<Coordinates> start = {},
@@ -47,24 +46,24 @@ class SolverThread {
     return run(std::make_shared<const MeshState>(std::move(state)), std::move(command),
                std::move(start), paused);
   }
-  /// Replaces the command of the job under way, on the same state, and goes on from the interior
-  /// reached so far: for dragging. Starts again from there if the job had ended.
+  /// Replaces the command of the current job, on the same state, and continues from the interior
+  /// reached so far: for dragging. If the job has ended, starts it again from there.
   void retarget(Command command);
   void pause();
   void resume();
   /// Runs n more outer iterations, then pauses.
   void step(int n);
   void cancel();
-  /// At most this many outer iterations a second, for someone who watches; 0: as fast as they come.
-  /// Holds for all jobs until it is set again. Pause, step and cancel act at once all the same.
+  /// Limits the outer iterations per second, for display; 0: no limit. Applies to all jobs until
+  /// set again. Pause, step and cancel still act at once.
   void set_pace(double iterations_per_second);
-  /// For a viewer who is to miss no iteration. seen: serial of the last snapshot that the viewer
-  /// has seen; the worker waits until that is the latest one. None, as at first: it does not wait.
-  /// Pause, step, cancel and another target act at once all the same.
+  /// For a viewer that shows every iteration. seen: serial of the last snapshot that the viewer has
+  /// shown; the worker waits until this is the latest one. None (default): the worker does not
+  /// wait. Pause, step, cancel and retarget() still act at once.
   void wait_for_viewer(std::optional<std::uint64_t> seen);
-  /// Reads what commands ask of files, on the solver's thread, before each is carried out; what it
-  /// throws ends the job. It holds for the jobs that begin from then on. None, as at first:
-  /// commands that ask for files are refused.
+  /// Sets the function that reads the files of a command. The solver's thread calls it before each
+  /// command; an exception from it ends the job. Applies to jobs that begin afterwards. None
+  /// (default): commands that refer to files are refused.
   using Resolve = std::function<ResolvedCommand(const Command&)>;
   void resolve(Resolve with);
   /// True while a job is running or paused.

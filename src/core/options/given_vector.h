@@ -4,15 +4,15 @@
 
 namespace winslow {
 
-/// A vector as somebody gives it: by two numbers for the plane, or by three for space.
+/// A vector that remembers whether the user gave it by two numbers (plane) or three (space).
 ///
 ///   GivenVector shift = Vec2(1, 2);                // by two numbers
 ///   shift = GivenVector::of_three(Vec3(1, 2, 0));  // by three
 ///   shift = Vec3(1, 2, 0);                         // by none: the program found it
 ///
-/// It is a Vec3 like any other, whose third component is 0 where two numbers were given, and
-/// arithmetic takes it as one. By how many numbers it was given is the affair of what reads
-/// commands, of what writes them down, and of the checks where a command meets its mesh.
+/// In arithmetic it is an ordinary Vec3, whose third component is 0 if two numbers were given. The
+/// number of components matters only to readers and writers of commands, and to the check of a
+/// command against its mesh.
 class GivenVector : public Vec3 {
  public:
   GivenVector() : Vec3(Vec3::Zero()) {}
@@ -30,7 +30,7 @@ class GivenVector : public Vec3 {
     given.numbers_ = 3;
     return given;
   }
-  /// That vector, by as many numbers as the mesh has dimensions.
+  /// The vector with as many numbers as the mesh has dimensions.
   static GivenVector of(int dimension, const Vec3& vector) {
     GivenVector given(vector);
     given.tail(3 - dimension).setZero();
@@ -43,12 +43,12 @@ class GivenVector : public Vec3 {
     return *this = GivenVector(vector);
   }
 
-  /// 2 or 3; `otherwise` if the program found it.
+  /// 2 or 3; `otherwise` if the program computed the vector.
   int numbers(int otherwise) const { return numbers_ == 0 ? otherwise : numbers_; }
-  /// It was given by three numbers, whatever they are, or the program found one off the plane.
+  /// True if it was given by three numbers of any value, or computed with a nonzero z.
   bool leaves_plane() const { return numbers_ == 3 || z() != 0; }
 
-  /// As vectors, by how many numbers they were given or not.
+  /// Compares the components only, not the number of components given.
   friend bool operator==(const GivenVector& a, const GivenVector& b) {
     return a.vector() == b.vector();
   }

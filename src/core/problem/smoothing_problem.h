@@ -13,16 +13,16 @@ struct ResidualNorms {
   double rms = 0;  ///< root mean square of the same
 };
 
-/// The equations that are solved when a mesh is smoothed. They are for the nodes that may move; all
-/// others are where the boundary puts them. Outer solvers, paths and drags know a mesh only by
-/// this.
+/// The equations that are solved when a mesh is smoothed. Their unknowns belong to the nodes that
+/// may move; the boundary prescribes all others. Outer solvers, paths and drags access a mesh only
+/// through this interface.
 ///
 /// A state x holds the coordinates of all nodes. The problem alone knows how they depend on the
 /// unknowns: a node that slides along a curve has one unknown, for example. Vectors over the
 /// unknowns have #unknowns numbers, in an order that only the problem knows.
 ///
-/// A problem never changes. Other equations (another penalty, other targets) are another object. So
-/// a factorisation, for example, is still good if it was made for the same object.
+/// A problem is immutable. Other equations (another penalty, other targets) are another object. So
+/// a factorisation, for example, stays valid as long as the object is the same.
 class SmoothingProblem {
  public:
   virtual ~SmoothingProblem() = default;
@@ -31,13 +31,13 @@ class SmoothingProblem {
   virtual std::size_t unknowns() const = 0;
   /// The unknowns at x (#unknowns).
   virtual void values(const Coordinates& x, std::span<double> out) const = 0;
-  /// Local length of the mesh that a change of each unknown compares with (#unknowns), in its unit.
+  /// Local length scale of the mesh for each unknown (#unknowns), in the unit of the unknown.
   virtual void lengths(const Coordinates& x, std::span<double> out) const = 0;
   /// Changes the unknowns of x by step * direction (#unknowns). Returns the longest move of a node,
   /// in units of the mesh.
   virtual double advance(std::span<const double> direction, double step, Coordinates& x) const = 0;
-  /// Velocity of each node that the unknowns move, where these change at the given rates
-  /// (#unknowns). Those of the other nodes stay what they are in `out` (as large as x).
+  /// Velocity of each node that the unknowns move, if they change at the given rates (#unknowns).
+  /// The entries of the other nodes in `out` (as large as x) stay unchanged.
   virtual void velocities(const Coordinates& x, std::span<const double> rates,
                           Coordinates& out) const = 0;
 
@@ -46,32 +46,31 @@ class SmoothingProblem {
                                     double most) const = 0;
   virtual Validity validity(const Coordinates& x) const = 0;
 
-  /// Residual R into `out` (#unknowns; may be empty: norms only). The norms are of R scaled to the
-  /// distance by which the equations of one node alone would move it, all others held, over the
-  /// mean length of its edges.
+  /// Residual R into `out` (#unknowns; may be empty: norms only). The norms are of the scaled R:
+  /// the distance by which a node's own equations would move it, with all other nodes held, divided
+  /// by the mean length of its edges.
   virtual ResidualNorms residual(const Coordinates& x, std::span<double> out) const = 0;
   /// Smallest ResidualNorms::max that double precision can show at x.
   virtual double residual_round_off(const Coordinates& x) const = 0;
-  /// Change, to first order, of the right-hand side that the problem's linearisation at x has
-  /// (#unknowns), when the prescribed nodes move by `displacement` (as large as x; what it holds
-  /// for other nodes is ignored).
+  /// First-order change of the right-hand side of the linearisation at x (#unknowns) when the
+  /// prescribed nodes move by `displacement` (as large as x; entries of other nodes are ignored).
   virtual void boundary_response(const Coordinates& x, const Coordinates& displacement,
                                  std::span<double> out) const = 0;
 };
 
-/// For solvers of one's own: an energy and its derivatives, of any problem.
+/// For custom solvers: the energy of a problem and its derivatives.
 ///
 ///     winslow::SparseMatrix hessian;
 ///     std::vector<double> residual(problem.unknowns());
 ///     problem.linearise(x, winslow::Curvature::exact, hessian, residual);
 
-/// Which second derivative of the energy a Newton system is made of.
+/// Which second derivative of the energy a Newton system uses.
 enum class Curvature {
   exact,     ///< the Hessian: quadratic convergence near a solution
-  projected  ///< each cell's Hessian projected to positive semidefinite: always downhill
+  projected  ///< each cell's Hessian projected to positive semidefinite: a descent direction
 };
 
-/// What an assembly of the Newton system finds out besides.
+/// What an assembly of the Newton system returns besides the system.
 struct Linearisation {
   ResidualNorms norms;
   double energy;
@@ -85,14 +84,14 @@ class EnergyProblem : public SmoothingProblem {
   /// R = -dE (#unknowns) and -dR as a symmetric matrix.
   virtual Linearisation linearise(const Coordinates& x, Curvature curvature, SparseMatrix& hessian,
                                   std::span<double> residual) const = 0;
-  /// The same problem with more nodes held: those that a short step from x, `step` times the
-  /// direction (#unknowns), moves across a jump or a fold of what they slide on. The energy has no
-  /// derivative there. Null if there are no such nodes.
+  /// Returns the same problem with more nodes held: those that a short step from x, `step` times
+  /// the direction (#unknowns), moves across a jump or a fold of their curve or surface. The energy
+  /// has no derivative there. Null if there are no such nodes.
   virtual std::shared_ptr<const EnergyProblem> holding_stuck_nodes(
       const Coordinates& /*x*/, std::span<const double> /*direction*/, double /*step*/) const {
     return nullptr;
   }
-  /// How many nodes are held so.
+  /// Number of nodes held for this reason.
   virtual Index stuck_nodes() const { return 0; }
 };
 
@@ -100,36 +99,36 @@ class EnergyProblem : public SmoothingProblem {
 /// area of a triangle) by chi = (D + sqrt(e^2 + D^2)) / 2, e = size[cell], which is positive for
 /// every D (V. A. Garanzha et al., "Foldover-free maps in 50 lines of code", ACM TOG 40(4), 2021).
 struct Regularisation {
-  std::vector<double> size;  ///< #cells of the problem, in the unit of their determinants
-  /// Of a surface mesh: the normals (#elements) against which cells are seen, held while a step is
-  /// searched for.
+  std::vector<double> size;  ///< #cells of the problem, in the unit of the determinants
+  /// For a surface mesh: the normals (#elements) that give determinants their sign, constant during
+  /// a line search.
   std::vector<Vec3> normals = {};
 };
 
-/// An energy with a version that is finite on every mesh: what untangling needs.
+/// An energy with a variant that is finite on every mesh, for untangling.
 class UntanglingProblem : public EnergyProblem {
  public:
-  /// How large the cells around each cell are at x (#cells): what its determinant is to be
-  /// compared with.
+  /// Typical size of the cells around each cell at x (#cells): the scale for its determinant.
   virtual std::vector<double> cell_sizes(const Coordinates& x) const = 0;
   /// `softness` times the size of each cell, and no less than the magnitude of its determinant
   /// where that is negative. sizes: see cell_sizes().
   virtual Regularisation regularisation(const Coordinates& x, std::span<const double> sizes,
                                         double softness) const = 0;
-  /// The same for all cells, and so large that their determinants no longer matter: the energy is a
-  /// quadratic form, and one Newton step leads to its only minimum.
+  /// The same size for all cells, so large that the determinants no longer matter: the energy is a
+  /// quadratic form, and one Newton step reaches its unique minimum.
   virtual Regularisation full_regularisation(const Coordinates& x) const = 0;
 
   virtual double regularised_energy(const Coordinates& x,
                                     const Regularisation& regularisation) const = 0;
-  /// As linearise(), with the part of the Hessian that is positive semidefinite by construction.
+  /// As linearise(), but only with the part of the Hessian that is positive semidefinite by
+  /// construction.
   virtual Linearisation linearise_regularised(const Coordinates& x,
                                               const Regularisation& regularisation,
                                               SparseMatrix& hessian,
                                               std::span<double> residual) const = 0;
 };
 
-/// For solvers of one's own: the fixed-point iteration of the paper, and Newton's of equations.
+/// For custom solvers: the paper's fixed-point iteration, and Newton's method on equations.
 ///
 ///     winslow::SparseSystem system;
 ///     const winslow::Index negative_weights = equations.freeze(x, system);
@@ -138,29 +137,28 @@ class UntanglingProblem : public EnergyProblem {
 /// needs.
 class FixedPointProblem : public SmoothingProblem {
  public:
-  /// Linear system A delta = R of the fixed-point iteration with frozen coefficients: the step to
-  /// the solution of the equations linearised by freezing. The numbers of its right-hand sides are
-  /// the unknowns, in their order. Returns the number of negative weights met.
+  /// Assembles the linear system A delta = R with frozen coefficients: delta is the step to the
+  /// solution of the frozen equations. The right-hand sides hold one number per unknown, in the
+  /// order of the unknowns. Returns the number of negative weights.
   virtual Index freeze(const Coordinates& x, SparseSystem& out) const = 0;
 };
 
-/// Equations without an energy, for Newton's method: what lies downhill is told by a merit
-/// function.
+/// Equations without an energy, for Newton's method: a merit function defines descent.
 class EquationProblem : public FixedPointProblem {
  public:
-  /// Newton's system J delta = S R, S a scaling of the rows that counts as constant. Returns the
-  /// norms of R as residual() does.
+  /// Newton's system J delta = S R. The row scaling S is treated as constant. Returns the norms of
+  /// R as residual() does.
   virtual ResidualNorms linearise(const Coordinates& x, SparseMatrix& jacobian,
                                   std::span<double> residual) const = 0;
-  /// What the merit function weighs residuals by, as it is at x; held while a step is searched for
+  /// Weights of the residuals in the merit function at x. They are constant during a line search
   /// (only then is the Newton direction one of descent).
   virtual std::vector<double> merit_weights(const Coordinates& x) const = 0;
   /// Sum of the squares of the scaled residuals.
   virtual double merit(const Coordinates& x, std::span<const double> weights) const = 0;
 };
 
-/// Equations as they are, and with the negative weights of their rows set to zero: then every row
-/// is a convex combination, which untangles. May be one and the same.
+/// The plain equations, and those with the negative weights of their rows set to zero: then every
+/// row is a convex combination, which untangles. Both may be the same object.
 template <typename Problem>
 struct ClipVariants {
   std::shared_ptr<const Problem> plain, clipped;

@@ -12,22 +12,22 @@ namespace winslow {
 
 struct SurfaceShape;
 
-/// The virtual control volumes of a state: of a plane or surface mesh all of them; of a volume mesh
-/// those that were given by hand, all others being worked out where an equation needs them.
+/// The virtual control volumes of a state. For a plane or surface mesh these are all VCVs; for a
+/// volume mesh only those given by hand (the others are computed where an equation needs them).
 class Vcvs {
  public:
   using Plane = std::shared_ptr<const VirtualControlVolumes>;
   using ByHand = std::shared_ptr<const SphereStencils>;
 
-  /// Of a volume mesh, none given by hand.
+  /// For a volume mesh, with no VCVs given by hand.
   Vcvs() = default;
   Vcvs(Plane vcvs) : vcvs_(std::move(vcvs)) {}
-  /// Of a volume mesh; null: none.
+  /// For a volume mesh; null: none given by hand.
   Vcvs(ByHand vcvs) : vcvs_(std::move(vcvs)) {}
 
   /// Null for a volume mesh.
   Plane plane() const { return of<Plane>(); }
-  /// Null for a plane or surface mesh, and where there are none.
+  /// Null for a plane or surface mesh, and if none were given.
   ByHand by_hand() const { return of<ByHand>(); }
 
   /// Whether they are the same objects.
@@ -43,16 +43,17 @@ class Vcvs {
   std::variant<ByHand, Plane> vcvs_;
 };
 
-/// A mesh with all that says how it is to be smoothed: what runs and commands act on.
+/// A mesh with all data that determine how it is smoothed: the state on which runs and commands
+/// act.
 struct MeshState {
   Mesh mesh;
   Vcvs vcvs = {};
-  /// What elements are to the targets of a run: in layers, beside them. Null: nothing is known.
+  /// Roles of the elements in the targets of a run: in layers, beside layers. Null: none.
   std::shared_ptr<const ElementRoles> roles = nullptr;
-  /// Layers that were inserted; if held, their spacing is kept whatever moves. Null: none.
+  /// Layers that were inserted; if they are held, every motion keeps their spacing. Null: none.
   std::shared_ptr<const LayerStack> layers = nullptr;
-  /// What the nodes of a surface mesh stay on, from the first smoothing on. Null: not found yet, or
-  /// another kind of mesh.
+  /// The shape on which the nodes of a surface mesh stay, from the first smoothing on. Null: not
+  /// found yet, or another kind of mesh.
   std::shared_ptr<const SurfaceShape> surface = nullptr;
 };
 /// A state with the paper's VCVs of a plane or surface mesh: equal angles, unit edges.

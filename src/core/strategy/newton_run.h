@@ -11,24 +11,24 @@
 
 namespace winslow {
 
-/// Smooths by Newton's method on one formulation: untangles where needed, then Newton; follows the
-/// path where the boundary moves. The formulations differ in their solver only.
+/// Smooths by Newton's method on one formulation: untangles if needed, then applies Newton's
+/// method; follows a path if the boundary moves. Subclasses provide the solvers.
 class NewtonRun {
  public:
   virtual ~NewtonRun() = default;
 
-  /// Limits before which move() along a path ends.
+  /// Sets quality limits; move() along a path ends before a mesh that violates them.
   void keep_within(QualityFloor floor) { floor_ = std::move(floor); }
   /// move() along a path does not begin a motion that contact blocks.
   void end_at_contact(bool whether) { end_at_contact_ = whether; }
-  /// There is no contact on the way: move() need not look for one.
+  /// Tells move() that the motion has no contact, so it need not search for one.
   void way_is_clear() { way_is_clear_ = true; }
-  /// The boundary stays. reference: a valid mesh of the same connectivity that says how large the
-  /// triangles are to be while they are untangled; may be null.
+  /// Smooths with the boundary held. reference: a valid mesh of the same connectivity that gives
+  /// the sizes of the elements for untangling; may be null.
   virtual void smooth(Coordinates& x, double fraction, const Coordinates* reference);
-  /// Moves the boundary from x (any mesh; where the motion begins) in so many equal steps, each at
-  /// once; 0: along a path of valid meshes. Stops at the last one if it leads no further. rest:
-  /// what the motion refers to.
+  /// Moves the boundary from x (any mesh, at the start of the motion) in `increments` equal steps,
+  /// without intermediate meshes; 0: along a path of valid meshes, which ends at the last valid one
+  /// if blocked. rest: the mesh to which the motion refers.
   virtual void move(const Motion& motion, const Coordinates& rest, int increments, Coordinates& x);
 
  protected:
@@ -37,29 +37,31 @@ class NewtonRun {
       : state_(state), workspace_(workspace), recorder_(recorder) {}
 
   virtual SteadySolver& newton() = 0;
-  virtual const LinearSolver& linear() = 0;  ///< that newton() uses
-  /// After untangling by the energy, which used linear() for its own systems, and whose mesh has
-  /// little to do with what newton() was made fit for.
+  virtual const LinearSolver& linear() = 0;  ///< used by newton()
+  /// Called after untangling by the energy: it used linear() for its own systems, and its mesh
+  /// differs much from that for which newton() was prepared.
   virtual void begin_anew() {}
-  /// Before Newton's method, from a valid mesh that may be far from the solution, until `enough`
-  /// says so.
+  /// Called before Newton's method, at a valid mesh that may be far from the solution; iterates
+  /// until `enough` returns true.
   virtual void relax(Coordinates& /*x*/, double /*fraction*/,
                      const RunRecorder::Enough& /*enough*/) {}
-  /// At a solution: whether Newton's method should go on to a better one that relax() set aside.
+  /// Called at a solution. Returns true if Newton's method should continue to a better one that
+  /// relax() gave up.
   virtual bool sharpen(const Coordinates& /*x*/) { return false; }
-  /// Whether a mesh on the path has left the range that relax() made Newton's method fit for.
+  /// Whether a mesh on the path has left the range for which relax() prepared Newton's method.
   virtual bool strained(const Coordinates& /*x*/) { return false; }
-  /// Whether vary_targets() is of use.
+  /// Whether vary_targets() has an effect.
   virtual bool has_targets() const { return false; }
-  /// Takes the shapes of a valid mesh for the targets at share 0 of a path, so that the mesh is the
+  /// Uses the shapes of a valid mesh as the targets at share 0 of a path, so that the mesh is the
   /// solution there.
   virtual void vary_targets(const Coordinates& /*from*/) {}
-  /// Newton's method is on the targets at this share of the way from there to those wanted.
+  /// Sets the targets of Newton's method to this share of the way from those to the wanted ones.
   virtual void set_target_share(double /*share*/) {}
-  /// Whether to go on from a lost path to which Newton's method does not lead back.
+  /// Whether to continue from a mesh off the path if Newton's method does not lead back to the
+  /// path.
   virtual bool insists() const { return true; }
 
-  /// Scaled residual at which a mesh is near enough to its solution to follow the path from there.
+  /// Whether the scaled residual is small enough to follow the path from this mesh.
   static bool near_enough(const IterationRecord& record) { return record.residual < 0.05; }
 
   SmoothingWorkspace& workspace() { return workspace_; }
@@ -104,44 +106,45 @@ class VariationalRun final : public NewtonRun {
   SteadySolver& newton() override { return workspace().newton(); }
   const LinearSolver& linear() override { return workspace().symmetric_linear(); }
   void begin_anew() override;
-  /// Far from a solution the steep penalty makes Newton's method creep: a gentle one first. Where
-  /// even the mesh that this leads to has elements far beyond the knee, the knee is doubled until
-  /// it has none.
+  /// Far from a solution the steep penalty slows Newton's method down, so a gentle penalty comes
+  /// first. If the resulting mesh still has elements far beyond the knee, the knee is doubled until
+  /// none is.
   void relax(Coordinates& x, double fraction, const RunRecorder::Enough& enough) override;
   bool has_targets() const override { return true; }
   void vary_targets(const Coordinates& from) override;
   void set_target_share(double share) override;
-  /// The mesh that the knee was doubled for was not a solution yet: a solution may do with less.
+  /// The knee was doubled for a mesh that was not a solution yet: a solution may permit a smaller
+  /// knee.
   bool sharpen(const Coordinates& x) override;
   bool strained(const Coordinates& x) override;
 
   const PenaltyOptions& asked_for() { return workspace().options().penalty; }
   double knee();
-  /// The penalty asked for, with a knee that no element is far beyond.
+  /// The requested penalty, with the knee raised so that no element is far beyond it.
   PenaltyOptions fitting(const Coordinates& x);
-  /// Newton's method is on the energy with this penalty from here on.
+  /// Switches Newton's method to the energy with this penalty.
   void change_penalty(const PenaltyOptions& penalty);
 
   const VariationalForm& energy();
 
-  std::shared_ptr<const VariationalForm> energy_;  // that newton() is on; null: not made yet
+  std::shared_ptr<const VariationalForm> energy_;  // minimised by newton(); null: not made yet
   std::unique_ptr<const TargetPath> target_path_;
 };
 
-/// Moves the boundary of x and smooths by the paper's outer iteration. increments: steps in which
-/// the boundary moves; 0: at once and, where that ends tangled, in more and more steps; where no
-/// way leads to a valid mesh, the result is that of the direct way, converged or not. rest: what
-/// the motion refers to.
+/// Moves the boundary of x and smooths by the paper's outer iteration. increments: number of
+/// boundary steps; 0: one step and, if the result is tangled, more and more steps. If none gives a
+/// valid mesh, the result is that of the single step, converged or not. rest: the mesh to which the
+/// motion refers.
 void move_by_fixed_point(const Coordinates& rest, const Motion& motion, int increments,
                          int max_iterations, OuterSolver& solver, RunRecorder& recorder,
                          Coordinates& x);
 
 /// Smooths by the paper's operator and Newton's method.
 ///
-/// OuterMethod::automatic: if Newton's method does not converge, or does not complete the motion,
-/// the paper's damped fixed point does all of it again from the start. (The operator's own solution
-/// may be tangled, above all on quadrilaterals.) The result is the mesh of the fixed point; but if
-/// that is tangled and Newton's is not, it is Newton's.
+/// OuterMethod::automatic: if Newton's method does not converge or does not complete the motion,
+/// the paper's damped fixed point repeats everything from the start. (The operator's own solution
+/// may be tangled, especially on quadrilaterals.) The result is the mesh of the fixed point, unless
+/// that is tangled and Newton's is not.
 class PointwiseRun final : public NewtonRun {
  public:
   /// The workspace is prepared. The references outlive the run.
@@ -156,7 +159,8 @@ class PointwiseRun final : public NewtonRun {
 
   SteadySolver& newton() override { return workspace().pointwise_newton(); }
   const LinearSolver& linear() override { return workspace().newton_linear(); }
-  /// Without a solution to go to, steps against the limit of validity only spoil the mesh.
+  /// The equations may have no valid solution; then steps against the limit of validity only worsen
+  /// the mesh.
   bool insists() const override { return false; }
   void attempt(const Way& by_newton, const Way& by_fixed_point, Coordinates& x);
 };

@@ -8,8 +8,8 @@
 
 namespace winslow {
 
-/// How another run of a command went, after those before it: counts and histories add up, the rest
-/// is that of the last run.
+/// Appends the result of another run of a command: counts and histories add up, the rest is that of
+/// the last run.
 void append(SmoothResult& all, SmoothResult more);
 
 /// Passes iterations on to another monitor, numbered consecutively over several runs. While only
@@ -18,8 +18,8 @@ class RelayMonitor final : public SolverMonitor {
  public:
   explicit RelayMonitor(SolverMonitor* monitor) : monitor_(monitor) {}
 
-  /// first: iterations of earlier runs. fill: layers whose inner nodes are put between their walls
-  /// and rims; null: none.
+  /// first: iterations of earlier runs. fill: layers whose inner nodes are interpolated between
+  /// their walls and rims; null: none.
   void begin(int first, const LayerStack* fill);
   void on_topology(const std::shared_ptr<const Topology>& topology) override;
   bool on_iteration(const IterationRecord& record, const Coordinates& x) override;
@@ -31,18 +31,19 @@ class RelayMonitor final : public SolverMonitor {
   const LayerStack* fill_ = nullptr;
 };
 
-/// Smoothing runs of one command on a mesh with layers. Their counts and histories add up in one
-/// result, which ends as the last of them.
+/// The smoothing runs of one command on a mesh with layers. Their counts and histories add up in
+/// one result; its outcome is that of the last run.
 class RunSequence {
  public:
   /// result must outlive this object.
   RunSequence(const RunOptions& run, SmoothResult& result);
 
-  /// Iterations are of this mesh from here on.
+  /// Tells the monitor that later iterations are of this mesh.
   void show(const std::shared_ptr<const Topology>& topology) { relay_.on_topology(topology); }
   /// Smooths the interior; x as of smooth_interior().
   SmoothResult smooth(const MeshState& state, const SmoothOptions& smooth, Coordinates& x);
-  /// Moves the rims of layers in a mesh of the elements outside; the share that was reached.
+  /// Moves the rims of layers in a mesh of the elements outside. Returns the share of the motion
+  /// reached.
   double open(const MeshState& outside, const LayerStack& stack, const Motion& motion,
               const SmoothOptions& smooth, Coordinates& x);
   /// Moves the boundary; x as of smooth_motion(). start: as of RunOptions.
@@ -52,7 +53,7 @@ class RunSequence {
   std::span<const Index> kept() const {
     return options_.kept ? std::span<const Index>(*options_.kept) : std::span<const Index>();
   }
-  /// The last run is not used: an earlier one is what counts.
+  /// Discards the last run and takes the outcome of an earlier one.
   void fall_back_to(const SmoothResult& run);
 
  private:

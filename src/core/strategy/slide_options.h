@@ -5,38 +5,38 @@
 #include "core/options/option.h"
 #include "core/problem/node_classes.h"
 
-/// Nodes of the far field slide along it:
+/// Lets nodes of the far field slide along it:
 ///
 ///     winslow::MoveCommand move;
 ///     move.smooth.slide.markers = {"farfield"};
 namespace winslow {
 
-/// Whether the spacing of nodes along curves that they slide on is held.
+/// Whether the spacing of sliding nodes along their curves is held.
 enum class SlideSpacing {
-  automatic,  ///< of walls (is_wall())
+  automatic,  ///< held at walls (is_wall())
   held,
   free
 };
 
-/// Nodes of the boundary that move while the mesh is smoothed: those of some markers slide on what
-/// they lie on in the mesh that the command is given, those of periodic pairs move together. What
-/// is asked of files stands here by name; what is in them is SlideFiles.
+/// Boundary nodes that move while the mesh is smoothed. Nodes of the given markers slide on the
+/// boundary of the mesh as given to the command; nodes of periodic pairs move together. Files are
+/// given here by name; SlideFiles has their contents.
 struct SlideOptions {
   std::vector<std::string> markers;
-  double feature_angle = 40;  ///< degrees by which a marker turns at a corner, which stays
+  double feature_angle = 40;  ///< degrees; where a marker turns by more, the corner is fixed
   SlideSpacing spacing = SlideSpacing::automatic;
-  std::vector<std::string> held_markers;  ///< whose spacing is held whatever `spacing` says
-  bool features = false;       ///< in space nodes slide along the edges of the markers, too
-  bool surface_first = false;  ///< of a volume mesh, the sliding boundary before the interior
-  std::string reference;  ///< in space: file of the surface to slide on instead of the mesh's own
+  std::vector<std::string> held_markers;  ///< spacing held regardless of `spacing`
+  bool features = false;       ///< in space: nodes also slide along the edges of the markers
+  bool surface_first = false;  ///< volume mesh: smooth the sliding boundary before the interior
+  std::string reference;  ///< in space: file of a surface to slide on, instead of the mesh's own
   /// Nodes of the mesh that the command is given, counted from 0.
-  std::vector<Index> hold_nodes;      ///< stay, inside the mesh as well
-  std::vector<Index> smooth_nodes;    ///< of what slides: no corners, however much it turns there
+  std::vector<Index> hold_nodes;      ///< fixed nodes, of the boundary or the interior
+  std::vector<Index> smooth_nodes;    ///< sliding nodes that are never corners, whatever the angle
   std::vector<std::string> periodic;  ///< names of markers, pair after pair
-  bool periodic_from_file = false;    ///< besides these, those that the file of the mesh names
+  bool periodic_from_file = false;    ///< also the pairs that the mesh file names
 
   bool has_pairs() const { return !periodic.empty() || periodic_from_file; }
-  /// Asked for; `automatic` may do so as well.
+  /// True if the user asks for held spacing; `automatic` may hold it as well.
   bool holds_spacing() const { return spacing == SlideSpacing::held || !held_markers.empty(); }
   bool given() const { return !markers.empty() || has_pairs(); }
   bool operator==(const SlideOptions&) const = default;
@@ -45,23 +45,23 @@ struct SlideOptions {
 OptionTable option_table(SlideOptions& slide);
 
 FeatureRules feature_rules(const SlideOptions& slide);
-/// Takes a marker out of those that slide. Returns whether it was one.
+/// Removes a marker from the sliding ones. Returns whether it was one.
 bool stop_sliding(SlideOptions& slide, const std::string& marker);
 
-/// What slide options ask of files, as it was found there: io::resolve_files() reads it. A surface
-/// of one's own, from no file, goes by any name in SlideOptions::reference.
+/// Contents of the files that slide options name, as read by io::resolve_files(). For a surface
+/// that is not from a file, SlideOptions::reference may be any name.
 struct SlideFiles {
   std::shared_ptr<const ReferenceSurface> reference = nullptr;  ///< null: none
   std::shared_ptr<const GivenPeriodicity> periodic = nullptr;   ///< null: none
 };
 
-/// Slide options with all that they ask of files: what a run is given. There are none of which a
-/// surface is named and not there.
+/// Slide options with the contents of their files, as a run needs them. A surface that is named is
+/// always present.
 class ResolvedSlide : public SlideOptions {
  public:
   ResolvedSlide() = default;
-  /// What `slide` does not ask for is left out. Throws UsageError where it asks for what is not in
-  /// `files`.
+  /// Drops contents that `slide` does not name. Throws UsageError if it names contents that `files`
+  /// lacks.
   ResolvedSlide(SlideOptions slide, SlideFiles files = {});
 
   const SlideFiles& files() const { return files_; }
@@ -70,19 +70,19 @@ class ResolvedSlide : public SlideOptions {
   SlideFiles files_;
 };
 
-/// What the nodes of the boundary that move were found to do.
+/// How the moving boundary nodes were classified.
 struct MovingBoundary {
   std::vector<SlidingPart> sliding;
   std::vector<PeriodicPairs> periodic;
-  std::vector<Index> bends;  ///< as SlidingBoundary has them
+  std::vector<Index> bends;  ///< see SlidingBoundary
   Index held = 0;            ///< number of nodes that were named to stay
-  /// Nodes that slide and give way to a body that stands among them: see let_bodies_slide().
+  /// Sliding nodes that give way to a body that stands on their boundary: see let_bodies_slide().
   std::vector<Index> yielding;
 };
 
-/// Has the nodes of the markers slide and those of the pairs move together, and holds the nodes
-/// that are to stay. Throws UsageError as SlidingBoundary::find(), PeriodicPairs::find() and
-/// PeriodicPairs::of() do, and for a node of them that `moving`, the nodes of a motion, has.
+/// Sets the nodes of the markers to slide, couples those of the pairs, and fixes the nodes to hold.
+/// Throws UsageError as SlidingBoundary::find(), PeriodicPairs::find() and PeriodicPairs::of() do,
+/// and if one of these nodes is in `moving`, the nodes of a motion.
 MovingBoundary make_boundary_move(const ResolvedSlide& slide, const Mesh& mesh,
                                   std::span<const Index> moving, NodeClasses& classes);
 

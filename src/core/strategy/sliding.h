@@ -11,8 +11,8 @@ namespace winslow {
 
 /// Whether a marker counts as a wall, along which the spacing of nodes matters. It does
 ///
-/// - in the plane, if it lies around a body (find_walls());
-/// - anywhere, if at least half of the elements at it are three times as long along it as high.
+/// - in the plane: if it lies around a body (find_walls());
+/// - anywhere: if at least half of its elements are at least three times as long along it as high.
 ///
 /// Throws UsageError for a marker that the mesh does not have.
 bool is_wall(const Mesh& mesh, const std::string& marker);
@@ -20,52 +20,52 @@ bool is_wall(const Mesh& mesh, const std::string& marker);
 using CurveRows = std::vector<std::shared_ptr<const CurveRow>>;
 
 /// Holds the spacing of nodes along the curves of sliding markers, as the options say. The ends of
-/// a curve decide what the nodes between them do:
+/// a curve determine the motion of the nodes between them:
 ///
-/// - An end has unknowns of its own: the nodes between follow it (NodeClasses::set_following()). On
-///   a closed curve one node has unknowns, and all others follow it.
-/// - No end has unknowns, and a motion moves one of them: the nodes between go with the motion.
-/// - Both ends stay: so do the nodes between.
+/// - An end has its own unknowns: the nodes between follow it (NodeClasses::set_following()). On a
+/// closed curve one node has unknowns, and all others follow it.
+/// - No end has unknowns, and a motion moves one of them: the nodes between move with the motion.
+/// - Both ends are fixed: so are the nodes between.
 ///
-/// Sets boundary.sliding to what became of each curve. Call it after all other classes are set.
+/// Updates boundary.sliding with the result for each curve. Call it after all other classes are
+/// set.
 ///
 /// Nodes that follow have no unknowns: the spacing is held by elimination, not by a term of the
 /// energy. So each edge of a curve keeps its share of the curve's length to round-off.
 ///
-/// Returns the rows that go with the motion. Their nodes are prescribed.
+/// Returns the rows that move with the motion. Their nodes are prescribed.
 CurveRows hold_spacing(const SlideOptions& slide, const Mesh& mesh, MovingBoundary& boundary,
                        NodeClasses& classes);
 
-/// A motion that also moves the rows which go with it. `motion` must outlive the result.
+/// Returns `motion` extended to the rows that move with it. `motion` must outlive the result.
 std::unique_ptr<const Motion> with_rows(const Motion& motion, const CurveRows& rows);
 
-/// A body that stands on a boundary that slides may move along it: what it stands on gives way on
-/// one side of it and follows on the other, so that nothing of it is in the body's way. Sets
-/// boundary.yielding. Throws UsageError, naming the first node, where the motion takes the foot of
-/// the body off the line, circle, plane, cylinder or sphere that it stands on; other curves and
-/// surfaces are known only where the mesh has nodes of them.
+/// Lets a body that stands on a sliding boundary move along it: the nodes of this boundary give way
+/// on one side of the body and follow on the other. Sets boundary.yielding. Throws UsageError,
+/// naming the first node, if the motion moves the foot of the body off the line, circle, plane,
+/// cylinder or sphere on which it stands; other curves and surfaces are known only at the mesh
+/// nodes.
 void let_bodies_slide(const Mesh& mesh, const Motion& motion, const NodeClasses& classes,
                       MovingBoundary& boundary);
 
-/// Nodes of the boundary that give way to a body that moves, so that nothing touches their edges
-/// and faces: those of periodic pairs, and boundary.yielding. Ascending.
+/// Boundary nodes that give way to a moving body, so contact ignores their edges and faces: those
+/// of periodic pairs, and boundary.yielding. Ascending.
 std::vector<Index> yielding_nodes(const MovingBoundary& boundary, const NodeClasses& classes);
 
-/// What a run of a volume mesh begins from: its sliding nodes on the reference surface of its
-/// options.
+/// The initial meshes of a run on a volume mesh, with the sliding nodes on the reference surface.
 struct ReferenceStart {
   MeshState state;
-  /// As RunOptions::start; none where there was none, and where it would have inverted elements.
+  /// As RunOptions::start; none if there was none, or if it would have inverted elements.
   std::optional<Coordinates> start;
 };
 
-/// Puts the nodes that slide onto the reference surface. Throws UsageError for one that nothing
-/// slides on.
+/// Projects the sliding nodes onto the reference surface. Throws UsageError for a reference surface
+/// on which no node slides.
 ReferenceStart put_on_reference(const ResolvedSlide& slide, const MeshState& state,
                                 const Coordinates* start);
 
-/// A motion leads through valid meshes. Throws UsageError where nodes that were put onto the
-/// surface have inverted elements of the mesh.
+/// Throws UsageError if the projection of nodes onto the surface has inverted elements: a motion
+/// needs a valid mesh.
 void require_no_more_inverted(const SlideOptions& slide, const Mesh& before, const Mesh& placed);
 
 }  // namespace winslow

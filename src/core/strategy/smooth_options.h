@@ -8,7 +8,7 @@
 #include "core/strategy/keep_outside.h"
 #include "core/strategy/slide_options.h"
 
-/// Every command that smooths has them; the defaults need no touch:
+/// Options of every command that smooths; the defaults suit most meshes:
 ///
 ///     winslow::SmoothCommand smooth;
 ///     smooth.smooth.tolerance = 1e-6;
@@ -24,22 +24,22 @@ enum class Formulation {
 /// "variational", "pointwise".
 std::string_view formulation_name(Formulation formulation);
 
-/// How the outer iteration goes.
+/// The method of the outer iteration.
 enum class OuterMethod {
-  automatic,  ///< Newton; pointwise form: the fixed point where Newton does not end converged
+  automatic,  ///< Newton; pointwise form: the fixed point if Newton does not converge
   newton,     ///< Newton's method, safeguarded
   picard      ///< the paper's fixed point: coefficients frozen, damped (pointwise form only)
 };
 
 /// How a mesh with inverted elements is untangled before Newton's method can begin.
 enum class Untangle {
-  automatic,  ///< both: a scramble by the energy first, a moved boundary by the fixed point
+  automatic,  ///< both: for a scramble the energy first, for a moved boundary the fixed point
   picard,     ///< damped fixed point of the pointwise form, negative weights clipped
   energy      ///< the variational form with a regularised determinant
 };
 
-/// Which virtual control volumes the interior nodes of a mesh have: what the pointwise form and the
-/// targets `vcv` are over. Those of a plane mesh are equal but for the ones that were edited.
+/// The virtual control volumes of the interior nodes, on which the pointwise form and the targets
+/// `vcv` are based. In a plane mesh all are equal except the edited ones.
 enum class VcvKind {
   automatic,    ///< equal ones of a plane mesh, adjusted ones of a volume mesh
   equal,        ///< equal angles
@@ -48,14 +48,14 @@ enum class VcvKind {
   perturbation  ///< adjusted, by the paper's random perturbation
 };
 
-/// How a mesh is smoothed. The defaults need no touch. What each member means, its range and its
-/// names stand in option_table().
+/// How a mesh is smoothed. The defaults suit most meshes. option_table() documents the meaning,
+/// range and names of each member.
 struct SmoothOptions {
   Formulation formulation = Formulation::variational;
   TargetBlend targets;
   VcvKind vcv = VcvKind::automatic;
   double vcv_lengths = 0;  ///< VolumeVcvOptions::length_power
-  int vcv_updates = 0;     ///< how often adjusted VCVs follow the mesh, at most
+  int vcv_updates = 0;     ///< most updates of adjusted VCVs to the changed mesh
   PenaltyOptions penalty;
   OuterMethod outer = OuterMethod::automatic;
   Untangle untangle = Untangle::automatic;
@@ -66,32 +66,31 @@ struct SmoothOptions {
   Clip clip = Clip::automatic;
   int max_iterations = 500;
   double tolerance = 1e-10;       ///< of ResidualNorms::max
-  KeepOutside keep_outside = {};  ///< all nodes in it are free: none given
-  SlideOptions slide = {};        ///< no node of the boundary slides
-  bool raise_worst = false;       ///< then the worst element as good as it can be
+  KeepOutside keep_outside = {};  ///< default: no region, all interior nodes are free
+  SlideOptions slide = {};        ///< default: no boundary node slides
+  bool raise_worst = false;       ///< finally raise the worst element as far as possible
   int threads = 0;
 };
 
-/// All that a user can set of them.
+/// All options that a user can set.
 OptionTable option_table(SmoothOptions& options);
 
-/// Throws UsageError naming the option that is out of range, or those that do not go together.
+/// Throws UsageError naming the option that is out of range, or the options that are incompatible.
 void validate(const SmoothOptions& options);
-/// Throws UsageError, naming the option and what there is to choose, for VCVs that meshes of this
+/// Throws UsageError, naming the option and the available choices, for VCVs that meshes of this
 /// dimension do not have.
 void validate_vcvs(const SmoothOptions& options, int cell_dimension);
 
-/// Whether the equations are over VCVs: those of the pointwise form and of targets `vcv`.
+/// Whether the equations depend on VCVs: the pointwise form and the targets `vcv` do.
 bool refers_to_vcvs(const SmoothOptions& options);
-/// Whether VCVs of a volume mesh are to be worked out anew as the mesh changes.
+/// Whether VCVs of a volume mesh are recomputed as the mesh changes.
 bool follows_mesh(VcvKind kind);
 
-/// The table of options of a surface mesh: what such meshes refuse, and what has no effect on them,
-/// does not apply.
+/// The table of options for a surface mesh: options that such meshes refuse, or that have no effect
+/// on them, are marked as not applicable.
 OptionTable surface_option_table(SmoothOptions& options);
 
-/// Puts what surface meshes refuse of options to what they have by default, or to the first choice
-/// that is left.
+/// Sets options that surface meshes refuse to their defaults, or to the first choice that applies.
 void settle_for_surface(SmoothOptions& options);
 
 }  // namespace winslow

@@ -12,18 +12,18 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
                              const RunOptions& run);
 
 /// Moves the boundary as MotionOptions says and smooths after each step. x as above; on entry its
-/// interior is where to start from.
+/// interior is the start.
 SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
                            const SmoothOptions& options, Coordinates& x, const RunOptions& run);
 
-/// The state's mesh, its interior where options.start has it. Throws UsageError: a start of another
-/// number of nodes.
+/// The state's coordinates, with the interior of options.start if there is one. Throws UsageError
+/// for a start with another number of nodes.
 Coordinates starting_point(const MeshState& state, const RunOptions& options);
 
-/// Smooths the sliding boundary of a volume mesh as a surface mesh, for elements of the boundary
-/// that are as good as they can be by themselves, and then moves the boundary there through valid
-/// meshes, the interior smoothed (options.slide.surface_first). x: start on entry, result on
-/// return. Throws UsageError for meshes that are no volume meshes, and without sliding markers.
+/// Smooths the sliding boundary of a volume mesh first, as a surface mesh, so that the interior
+/// does not affect its faces. Then moves the boundary there through valid meshes and smooths the
+/// interior (options.slide.surface_first). x: start on entry, result on return. Throws UsageError
+/// for other meshes than volume meshes, and without sliding markers.
 SmoothResult smooth_surface_first(const MeshState& state, const SmoothOptions& options,
                                   Coordinates& x, const RunOptions& run);
 

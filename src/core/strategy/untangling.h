@@ -8,17 +8,17 @@
 
 namespace winslow {
 
-/// The part of a run that makes a tangled mesh valid, as SmoothOptions::untangle says.
+/// Makes a tangled mesh valid at the start of a run, by the method of SmoothOptions::untangle.
 class Untangling {
  public:
   /// The workspace is prepared. The references outlive this.
   Untangling(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder)
       : state_(state), workspace_(workspace), recorder_(recorder) {}
 
-  /// Returns true if x is valid in the end; a valid x stays as it is. reference: a valid mesh of
-  /// the same connectivity that says how large the triangles are to be; may be null.
+  /// Returns true if x is valid afterwards; a valid x stays unchanged. reference: a valid mesh of
+  /// the same connectivity that gives the sizes of the elements; may be null.
   bool run(Coordinates& x, double fraction, const Coordinates* reference);
-  /// Whether run() went by the energy, if only in vain.
+  /// Whether run() tried the energy, successfully or not.
   bool tried_energy() const { return tried_energy_; }
 
  private:
@@ -35,19 +35,19 @@ class Untangling {
   bool tried_energy_ = false;
 };
 
-/// Raises the worst element of a valid mesh as far as it will go: minimises the largest distortion
-/// f of any cell from its target, of right-angled corners by their angles alone
+/// Improves the worst element of a valid mesh as far as possible: minimises the largest distortion
+/// f of any cell from its target. For right-angled corners only the angles count
 /// (VariationalForm::with_corner_lengths()).
 ///
-/// Each round takes a few of Newton's steps on the energy sum w f / (1 - f / bound), which no cell
-/// can leave the bound by; then the corners take the lengths of the edges as they are, and the
-/// bound comes closer to the largest f that is left. (Interior point; the penalty: V. Garanzha,
-/// I. Kaporin, L. Kudryavtseva, F. Protais, N. Ray, D. Sokolov, "On local invertibility and quality
-/// of free-boundary deformations", 2022.) The rounds end when they gain nothing worth having, or
-/// the budget of the recorder is spent. Every mesh on the way is valid. The one with the largest
-/// smallest normalized Jacobian is taken, be it the one that this began with: targets that keep
-/// elements stretched measure otherwise. What the result says of convergence stays what it says of
-/// the mesh that this began with.
+/// Each round makes a few Newton steps on the energy sum w f / (1 - f / bound), which keeps every
+/// cell within the bound. Then the corner targets adopt the present edge lengths, and the bound
+/// moves closer to the largest remaining f. (Interior point; the penalty: V. Garanzha, I. Kaporin,
+/// L. Kudryavtseva, F. Protais, N. Ray, D. Sokolov, "On local invertibility and quality of
+/// free-boundary deformations", 2022.) The rounds end when the gain is negligible, or the budget of
+/// the recorder is spent. Every mesh on the way is valid. The result is the one with the largest
+/// minimum of the normalized Jacobian, possibly the initial mesh: targets that keep elements
+/// stretched rate meshes differently. The convergence data in the result stay those of the initial
+/// mesh.
 void raise_worst_element(SmoothingWorkspace& workspace, RunRecorder& recorder, double fraction,
                          Coordinates& x);
 

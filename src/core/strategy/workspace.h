@@ -14,19 +14,19 @@
 
 namespace winslow {
 
-/// Keeps what is made from some inputs, and makes it anew when one of them is another:
+/// Caches a product of some inputs, and remakes it when an input changes:
 ///
 ///   Keyed<PatternKey, std::shared_ptr<const Pattern>> pattern_;
 ///   const auto& pattern = pattern_.of({unknowns, threads}, [&] { return make_pattern(); });
 ///
-/// The key names all inputs, and is compared by ==. Large inputs are shared_ptrs in it, compared by
-/// identity: the key keeps them alive, so that no other object can come to lie where one of them
-/// lay. Nothing has to say that a product is out of date.
+/// The key holds all inputs and is compared by ==. Large inputs are shared_ptrs, compared by
+/// identity: the key keeps them alive, so no other object can get their address. Explicit
+/// invalidation is not needed.
 template <typename Key, typename Product>
 class Keyed {
  public:
-  /// The product of this key, made by make() unless it is the last one that was asked for. If
-  /// make() throws, there is none, and the next call makes it.
+  /// Returns the product of this key; calls make() unless the key equals that of the last call. If
+  /// make() throws, nothing is kept, and the next call makes the product.
   template <typename Make>
   const Product& of(const Key& key, Make&& make) {
     if (!kept_ || !(kept_->key == key)) {
@@ -49,7 +49,7 @@ class Keyed {
   std::size_t times_made_ = 0;
 };
 
-/// What the options of a smoothing run mean to its solvers.
+/// Converts the options of a smoothing run into those of its solvers.
 inline NewtonOptions newton_options(const SmoothOptions& options) {
   return {options.tolerance, options.linear.tolerance};
 }
@@ -60,11 +60,11 @@ inline EquationOptions equation_options(const SmoothOptions& options) {
 
 VolumeVcvOptions volume_vcv_options(const SmoothOptions& options);
 
-/// Prepared solvers of a run, kept from one run to the next, so that a drag does not pay for them
-/// at every move of the mouse, be it of a body or of a VCV.
+/// Prepared solvers of a run, kept from one run to the next, so that a drag of a body or a VCV does
+/// not remake them at every mouse move.
 ///
-/// Each product is a function of its inputs, and is made when it is first asked for with these
-/// inputs (Keyed):
+/// Each product is a function of its inputs, and is made at the first request with these inputs
+/// (Keyed):
 ///
 ///   pattern         which nodes move, guarded elements
 ///   VCVs            of volume meshes: kind, mesh as given, stencils by hand, adjustments
@@ -74,41 +74,39 @@ VolumeVcvOptions volume_vcv_options(const SmoothOptions& options);
 ///   linear solvers  which nodes move, options
 ///   outer solvers   form, linear solver; new ones for each run
 ///
-/// So the patterns, and with them orderings and symbolic factorisations, outlive everything but a
-/// change of the nodes that move.
+/// So the patterns, with their orderings and symbolic factorisations, are kept until the set of
+/// moving nodes changes.
 class SmoothingWorkspace {
  public:
-  /// Begins a run: says what is to be solved. state: its mesh is the one that targets `auto` and
-  /// `rest` and the VCVs of a volume mesh refer to, kept by value where they do. Those VCVs, of the
-  /// kind that the options say, are made when an equation first needs them; those given by hand are
-  /// taken from the state. classes: which nodes move.
+  /// Begins a run with its inputs. state: the targets `auto` and `rest` and the VCVs of a volume
+  /// mesh refer to its mesh, which is copied if needed. The VCVs, of the kind in the options, are
+  /// made when an equation first needs them; those given by hand come from the state. classes:
+  /// which nodes move.
   void prepare(const MeshState& state, const std::shared_ptr<const NodeClasses>& classes,
                const SmoothOptions& options);
 
-  /// From here to the next prepare() these elements count four times as much with `auto` targets,
-  /// once more for each time they are listed.
+  /// Until the next prepare(), multiplies the weight of these elements under `auto` targets by four
+  /// for each time they are listed.
   void count_more(std::vector<Index> elements) { run_.urgent = std::move(elements); }
-  /// From here to the next prepare() the energy keeps the Jacobian of these elements positive
-  /// between their corners, too (VolumeTargetDetails::guarded). Returns whether any of them was not
-  /// among them.
+  /// Until the next prepare(), the energy keeps the Jacobian of these elements positive between
+  /// their corners, too (VolumeTargetDetails::guarded). Returns whether any of the elements is new.
   bool guard(std::span<const Index> elements);
-  /// No longer guards elements of which some edge_tetrahedra() are inverted at x, a mesh that is
-  /// valid all the same: its energy is to be finite. Returns whether there were any; the energy and
-  /// newton() are others then.
+  /// Stops guarding elements with inverted edge_tetrahedra() at x, a valid mesh, so that its energy
+  /// is finite. Returns whether there were any; if so, energy() and newton() change.
   bool drop_guards_broken_at(const Coordinates& x);
 
-  /// Whether the equations are over VCVs that follow the mesh: adjusted ones of a volume mesh.
+  /// Whether the equations depend on VCVs that follow the mesh: adjusted ones of a volume mesh.
   bool vcvs_follow_mesh() const {
     return in_space() && refers_to_vcvs(options_) && follows_mesh(options_.vcv);
   }
-  /// Adjusted VCVs of a volume mesh take the angles of the mesh as it is now, up to the next
-  /// prepare(); those of all other kinds stay. Returns how many changed.
+  /// Recomputes adjusted VCVs of a volume mesh from the angles of the mesh x, until the next
+  /// prepare(); other kinds stay unchanged. Returns the number of changed VCVs.
   Index adjust_vcvs(const Coordinates& x);
-  /// The same where they are those of a mesh that came tangled, and x is valid: what a tangle has
-  /// for angles says little. Returns whether any changed.
+  /// The same if the VCVs were computed from a tangled mesh and x is valid: the angles of a tangled
+  /// mesh are meaningless. Returns whether any changed.
   bool adjust_tangled_vcvs(const Coordinates& x);
 
-  // Valid until one of their inputs changes, and no longer than to the next prepare().
+  // Valid until one of their inputs changes, at most until the next prepare().
   PicardSolver& picard();
   /// With the penalty of the options.
   std::shared_ptr<const VariationalForm> energy();
@@ -122,12 +120,13 @@ class SmoothingWorkspace {
   LinearSolver& linear() { return *general_solver(made_.linear); }
   /// For the pointwise form's Jacobians.
   LinearSolver& newton_linear() { return *general_solver(made_.newton_linear); }
-  /// Of a volume mesh, as the options, prepare() and adjust_vcvs() have them; null: of another.
+  /// VCVs of a volume mesh after prepare() and adjust_vcvs(), of the kind in the options; null for
+  /// other meshes.
   std::shared_ptr<const VolumeVcvs> volume_vcvs();
   ClipVariants<EquationProblem> pointwise();
 
   const NodeClasses& classes() const { return *classes_; }
-  /// Of the mesh of the run at x.
+  /// Validity of the run's mesh at x.
   Validity validity(const Coordinates& x) const;
   const SmoothOptions& options() const { return options_; }
 
@@ -162,7 +161,7 @@ class SmoothingWorkspace {
     VcvKind kind;
     double lengths;
     int threads;
-    GivenMesh given;  ///< null: they do not refer to it
+    GivenMesh given;  ///< null: the VCVs do not refer to it
     bool operator==(const ComputedVcvsKey&) const = default;
   };
   struct SpaceVcvsKey {
@@ -190,7 +189,8 @@ class SmoothingWorkspace {
     Classes unknowns;
     int threads;
     std::vector<Index> guarded;
-    /// Which edges of guarded elements are cells depends on it with `rest` targets. Null: not so.
+    /// With `rest` targets, determines which edges of guarded elements are cells. Null: other
+    /// targets.
     GivenMesh given;
     bool operator==(const EnergyPatternKey&) const = default;
   };
@@ -199,7 +199,7 @@ class SmoothingWorkspace {
     TargetBlend targets;
     GivenMesh given;  ///< null: the targets do not refer to it
     PlaneVcvs plane_vcvs;
-    SpaceVcvs space_vcvs;  ///< null: the targets have no share for them
+    SpaceVcvs space_vcvs;  ///< null: the targets do not use them
     Stencils stencils;
     std::shared_ptr<const ElementRoles> roles;
     std::vector<Index> urgent;
@@ -217,7 +217,7 @@ class SmoothingWorkspace {
     std::shared_ptr<LinearSolver> linear;
     bool operator==(const OuterKey&) const = default;
   };
-  /// What one run finds out, and the solvers that remember how it went.
+  /// Data found during one run, and the solvers, which keep the run's history.
   struct Run {
     std::vector<Index> urgent;   ///< see count_more()
     std::vector<Index> guarded;  ///< see guard(); ascending
@@ -250,9 +250,9 @@ class SmoothingWorkspace {
   const typename Form::Pattern& energy_pattern(const EnergyPatternKey& key,
                                                const typename Form::Targets& targets);
 
-  // What prepare() was told. unknowns_ and given_ stay the objects of the run before if they are
-  // equal to them: keys compare objects.
-  Classes unknowns_;  // whose nodes move as those of classes_ do
+  // Inputs of prepare(). unknowns_ and given_ keep the objects of the previous run if they are
+  // equal to the new ones: keys compare objects.
+  Classes unknowns_;  // same moving nodes as in classes_
   Classes classes_;
   SmoothOptions options_;
   Vcvs vcvs_;
