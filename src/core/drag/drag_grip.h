@@ -4,37 +4,37 @@
 #include "core/mesh/coordinates.h"
 #include "core/mesh/element_type.h"
 
-/// Whole bodies are held by their markers:
+/// Markers select whole bodies:
 ///
 ///     winslow::DragGrip grip;
 ///     grip.markers = {"flap"};
 namespace winslow {
 
-/// What the mouse holds: whole bodies, which move rigidly, or a part of their boundary, of which
-/// every node takes a share of the translation (shape editing).
+/// What the mouse holds: whole bodies, which move rigidly, or a part of their boundary, where each
+/// node moves by a share of the translation (shape editing).
 struct DragGrip {
-  std::vector<std::string> markers;  ///< that may move; all other boundary stays
-  std::vector<Index> nodes;          ///< held nodes, of the markers; empty: all, as a rigid body
+  std::vector<std::string> markers;  ///< that may move; all other boundary nodes are fixed
+  std::vector<Index> nodes;          ///< held nodes, all on the markers; empty: all nodes of the markers, as a rigid body
   std::vector<double> shares;        ///< of the translation, in [0, 1], one per node of `nodes`
 
   bool rigid() const { return nodes.empty(); }
 };
 
-/// The motion of a grip from a state's rest coordinates. Throws UsageError: unknown markers, nodes
-/// of other markers, shares that do not fit, a rotation of what is not rigid, a motion that the
-/// mesh does not have.
+/// The motion of a grip from a state's rest coordinates. Throws UsageError for unknown markers,
+/// nodes of other markers, a wrong number or range of shares, a rotation of a part that is not
+/// rigid, or a motion that a mesh of this dimension does not have.
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const DragGrip& grip, const RigidMotion& motion);
 
-/// The command that does for good what a drag has shown. motion: resolved.
+/// The command that applies the result of a drag to the mesh. motion: resolved.
 Command drag_command(const DragGrip& grip, const RigidMotion& motion, const MotionOptions& how,
                      const SmoothOptions& smooth);
 
-/// What remains from `from` to `to`: compose(inverse(from), to) of a body, the difference of the
-/// translations of a part.
+/// The motion from `from` to `to`: compose(inverse(from), to) for a body, the difference of the
+/// translations for a part.
 RigidMotion motion_between(const DragGrip& grip, const RigidMotion& from, const RigidMotion& to);
 
-/// The motion that brings `nodes` nearest to where they are in `x` (least squares).
+/// The motion that maps `nodes` as near as possible to their positions in `x` (least squares).
 /// shares: as of the grip; empty: rigid.
 RigidMotion fit_motion(std::span<const Index> nodes, std::span<const double> shares,
                        const Coordinates& rest, const Coordinates& x);
@@ -54,19 +54,18 @@ struct FadedArc {
 FadedArc faded_arc(const std::vector<Index>& loop, const Coordinates& x, std::size_t first,
                    std::size_t last, double radius);
 
-/// A part of a surface that is dragged: its nodes, ascending, and the share of the translation that
-/// each takes.
+/// A dragged part of a surface: its nodes, ascending, and each node's share of the translation.
 struct FadedPatch {
   std::vector<Index> nodes;
   std::vector<double> shares;
 };
 
 /// Shares that fade from 1 at the held nodes to 0 at `radius` from them, as faded_share().
-/// Distances are measured along the surface, so that the other side of a thin body is as far away
-/// as the way around its edge: by fast marching over the triangles (R. Kimmel and J. A. Sethian,
-/// PNAS 95, 1998), each unfolded into the plane; those of quadrilaterals are the four of its
-/// corners. faces: of the surface. held: those that are not nodes of it are left out. radius >= 0,
-/// in units of the mesh. Nodes without a share are left out.
+/// Distances are measured along the surface, so the opposite side of a thin body is as far away as
+/// the path around its edge. They are computed by fast marching over the triangles (R. Kimmel and
+/// J. A. Sethian, PNAS 95, 1998), each unfolded into the plane; a quadrilateral has four corner
+/// triangles. faces: of the surface. held: nodes off the surface are left out. radius >= 0, in
+/// units of the mesh. Nodes without a share are left out.
 FadedPatch faded_patch(std::span<const Face> faces, const Coordinates& x,
                        std::span<const Index> held, double radius);
 

@@ -5,10 +5,10 @@
 
 namespace winslow {
 
-/// How a smoothed mesh answers, to first order, when some of its boundary moves rigidly: the
-/// tangent fields of a translation along each axis, and of a rotation (in the plane) or one about
-/// each axis (in space), from one factorisation and three or six solves. After that every position
-/// under the mouse is a linear combination of them.
+/// Predicts, to first order, a smoothed mesh after a rigid motion of a part of its boundary. It has
+/// the tangent fields of a translation along each axis and of a rotation (in space one about each
+/// axis), from one factorisation and three or six solves. Each prediction is then a linear
+/// combination of these fields.
 ///
 /// In the plane, with U_x, U_y, U_r the fields of a node and a rotation by a about the pivot,
 ///
@@ -18,18 +18,18 @@ namespace winslow {
 ///
 ///   x(a, t) = x + t_x U_x + t_y U_y + t_z U_z + sin a U_r + (1 - cos a) n x U_r
 ///
-/// (Rodrigues): exact on the body itself, where U_r = P (x - pivot) or n x (x - pivot), so that the
-/// nodes around it turn with it; of first order elsewhere. Immutable once made.
+/// (Rodrigues). This is exact on the body itself, where U_r = P (x - pivot) or n x (x - pivot), so
+/// that the nodes around it rotate with it, and of first order elsewhere. Immutable.
 class DragPredictor {
  public:
-  /// solver: at its solution x. nodes: the prescribed nodes that move together. shares: of a
-  /// translation that each of them takes, if they are no rigid body; there is no rotation then.
-  /// Throws NumericError where the equations at x have no regular derivative.
+  /// solver: at its solution x. nodes: the prescribed nodes that move together. shares: of the
+  /// translation, for each node, if the nodes are not a rigid body; rotations are then not
+  /// available. Throws NumericError if the derivative of the equations at x is singular.
   DragPredictor(SteadySolver& solver, const Coordinates& x, std::vector<Index> nodes,
                 std::vector<double> shares = {}, int threads = 0);
 
-  /// The mesh after `motion`, seen from the mesh that the predictor was made at. The boundary is
-  /// exactly where the motion takes it; whether the mesh is valid is the caller's to check.
+  /// Writes the mesh after `motion`, relative to the mesh for which the predictor was made. The
+  /// motion of the boundary is exact; the caller must check the validity of the mesh.
   void evaluate(const RigidMotion& motion, Coordinates& out) const;
 
   const Coordinates& base() const { return base_; }

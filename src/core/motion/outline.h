@@ -12,21 +12,21 @@ using Facet = std::array<Vec<D>, D>;
 template <int D>
 using FacetNodes = std::array<Index, D>;
 
-/// What two facets have in common.
+/// The intersection of two facets.
 template <int D>
 struct Meeting {
   enum class Kind {
     none,
-    touch,    ///< a corner or an edge of one lies on the other, or they overlap in one plane
-    crossing  ///< an edge of one goes through the inside of the other, from side to side
+    touch,    ///< a corner or an edge of one lies on the other, or they are coplanar and overlap
+    crossing  ///< an edge of one passes through the interior of the other
   };
   Kind kind = Kind::none;
-  Vec<D> place = Vec<D>::Zero();  ///< one of the points that both have
+  Vec<D> place = Vec<D>::Zero();  ///< one of the common points
 };
 Meeting<2> meeting(const Facet<2>& s, const Facet<2>& t);
 Meeting<3> meeting(const Facet<3>& s, const Facet<3>& t);
 
-/// Between the nearest points of two facets; 0 where they meet.
+/// Distance between the nearest points of two facets; 0 if they meet.
 double distance(const Facet<2>& s, const Facet<2>& t);
 double distance(const Facet<3>& s, const Facet<3>& t);
 
@@ -65,9 +65,9 @@ struct Outline {
       markers.push_back(marker);
     }
   };
-  Part moving;                      ///< with a node that moves
+  Part moving;                      ///< with a moving node
   Part fixed;                       ///< all others
-  std::vector<std::size_t> joints;  ///< of `moving`, with a node that stays
+  std::vector<std::size_t> joints;  ///< indices into `moving`: facets that also have a fixed node
 
   /// topology: of a plane (D = 2) or volume (D = 3) mesh. yielding: facets with a node of these are
   /// left out.

@@ -6,19 +6,18 @@
 
 namespace winslow {
 
-/// The motion that takes the nodes without unknowns from where they are in one set of coordinates
-/// to where they are in another: the rigid motion that fits best, followed as such (the shorter way
-/// round), and the rest in proportion. Its `rest` argument is `from`; at fraction 1 the nodes are
-/// exactly at `to`. In space each node goes in a straight line. For going on from a mesh that a
-/// drag has left half-way.
+/// The motion of the nodes without unknowns from their positions in `from` to those in `to`, for
+/// continuing from a mesh that a drag left half-way. In the plane it interpolates the best-fit
+/// rigid motion (by the shorter rotation) and adds the remainder in proportion. In space each node
+/// moves in a straight line. Its `rest` argument is `from`; at fraction 1 the nodes are exactly at
+/// `to`.
 std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordinates& from,
                                       const Coordinates& to);
 
-/// Meshes between two of a path along which bodies go, each a rigid one: one for every degree that
-/// one of them turns and for every 2 % of its extent that it moves, without both ends. bodies: the
-/// nodes of each. These are where the motions take them; each other node goes with the body that
-/// takes it farthest on its own way, as far as it does from one end to the other. What would be
-/// invalid is left out; empty if nothing moves.
+/// Interpolates meshes between two meshes of a path of rigid bodies: one for every degree of
+/// rotation and every 2 % of a body's extent of translation, without the ends. bodies: the nodes of
+/// each. The motions place these nodes; every other node moves with the body that accounts for the
+/// largest share of its displacement. Invalid meshes are left out; empty if nothing moves.
 std::vector<Coordinates> meshes_between(const Topology& topology,
                                         std::span<const std::vector<Index>> bodies,
                                         const Coordinates& from, const Coordinates& to);

@@ -10,13 +10,12 @@
 
 namespace winslow {
 
-/// Calls work(0), ..., work(count - 1), each once, on this thread and on threads that the process
-/// keeps for this, and returns when all have returned. Any number of threads may call it at once,
-/// also from within work. work must not throw. Where no thread is free or to be had, the calling
-/// one does the work of all.
+/// Calls work(0), ..., work(count - 1) once each, on this thread and on pooled threads, and returns
+/// when all have returned. Any number of threads may call it at once, also from within work. work
+/// must not throw. If no other thread is available, the calling thread makes all calls.
 void run_on_threads(Index count, void (*work)(void* data, Index share), void* data);
 
-/// The same for anything that can be called.
+/// The same for any callable.
 template <typename Work>
 void run_on_threads(Index count, const Work& work) {
   run_on_threads(
@@ -30,17 +29,17 @@ inline int thread_count(int requested) {
   return requested > 0 ? requested : cores;
 }
 
-/// Calls body(begin, end) on blocks that cover [0, n), on several threads if n is worth it. Blocks
-/// have a fixed size and never depend on the number of threads, so a body that writes per block
-/// (and sums the blocks in order afterwards) gives the same bits at any thread count.
+/// Calls body(begin, end) on blocks that cover [0, n), on several threads if n is large enough.
+/// Blocks have a fixed size and never depend on the number of threads, so a body that writes per
+/// block (and sums the blocks in order afterwards) gives the same bits at any thread count.
 inline constexpr Index parallel_block = 4096;
 /// How many blocks cover [0, n).
 inline std::size_t block_count(Index n, Index block = parallel_block) {
   return at((n + block - 1) / block);
 }
 
-/// block: size of the blocks, smaller for a body that takes long over each of them. Of what bodies
-/// throw, the exception of the first block comes out, when all have ended.
+/// block: size of the blocks, smaller for an expensive body. If bodies throw, parallel_for()
+/// rethrows the exception of the lowest block after all threads have ended.
 template <typename Body>
 void parallel_for(int threads, Index n, Body&& body, Index block = parallel_block) {
   const Index blocks = (n + block - 1) / block;

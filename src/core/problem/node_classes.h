@@ -12,14 +12,14 @@
 
 namespace winslow {
 
-/// What the nodes of a mesh that slide stay on: each a line or a plane of its own, or geometry that
-/// it shares with others.
+/// What sliding nodes stay on: each node has its own line or plane, or geometry shared with other
+/// nodes.
 class SlidingNodes {
  public:
-  /// A line (one direction) or a plane (two) through wherever the node is.
+  /// Lets a node slide on a line (one direction) or a plane (two) through its position.
   void set(Index node, const TangentFrame& frame);
-  /// Geometry, which says what it is at the places in x (a point for each node of the mesh).
-  /// Returns the directions in which each node may move.
+  /// Lets nodes slide on geometry, which gives their directions at x (a point for each node of the
+  /// mesh). Returns the directions in which each node may move.
   std::vector<TangentFrame> set(std::span<const Index> nodes,
                                 std::shared_ptr<const SlidingGeometry> geometry,
                                 const Coordinates& x);
@@ -31,7 +31,7 @@ class SlidingNodes {
   /// Null for a node that slides on no geometry.
   const SlidingGeometry* geometry(Index node) const;
 
-  /// Of a surface mesh, what tells elements that are turned over (null: nothing does).
+  /// For a surface mesh: the reference normals that identify inverted elements (null: none).
   void set_element_normals(std::shared_ptr<const ElementNormals> normals) {
     element_normals_ = std::move(normals);
   }
@@ -49,24 +49,24 @@ class SlidingNodes {
   std::shared_ptr<const ElementNormals> element_normals_;
 };
 
-/// A node that goes where another takes it across a periodic boundary.
+/// A node whose position is determined by a node across a periodic boundary.
 struct NodeImage {
   Index image, node;
-  std::shared_ptr<const RigidImage> transform;  ///< takes the node to the image
+  std::shared_ptr<const RigidImage> transform;  ///< maps the node to the image
   bool operator==(const NodeImage& other) const {
     return image == other.image && node == other.node && *transform == *other.transform;
   }
 };
 
-/// Nodes of a mesh that have no unknowns of their own, because others take them along: images
-/// across periodic boundaries, and nodes in rows along curves.
+/// Nodes without their own unknowns, whose positions depend on other nodes: images across periodic
+/// boundaries, and nodes in rows along curves.
 class TiedNodes {
  public:
   /// Throws UsageError if one of the nodes is in a pair already.
   void add(const NodeImage& image);
-  /// Ends the pair that a node is in; the other node of the pair, if there was one.
+  /// Removes the pair of a node. Returns the other node of the pair, if there was one.
   std::optional<Index> separate(Index node);
-  /// The other node of the pair that a node is in.
+  /// The other node of a node's pair.
   std::optional<Index> partner(Index node) const;
   bool has_image(Index node) const { return image_of_.contains(node); }
   /// Ascending by the image.
@@ -87,18 +87,17 @@ class TiedNodes {
 /// How a node may move while a mesh is smoothed.
 enum class NodeClass : std::uint8_t {
   fixed,       ///< stays where it is: no unknown
-  prescribed,  ///< goes where a motion takes it: no unknown
-  image,       ///< goes where its partner across a periodic boundary goes: no unknown of its own
-  follows,     ///< goes along a curve where the ends of its row take it: no unknown of its own
+  prescribed,  ///< moved by a motion: no unknown
+  image,       ///< moves with its partner across a periodic boundary: no unknown of its own
+  follows,     ///< moves along a curve as the ends of its row do: no unknown of its own
   on_curve,    ///< slides along a curve: one unknown
   on_surface,  ///< slides on a surface in space: two
-  free         ///< moves as it likes: as many as the space has dimensions
+  free         ///< moves freely: as many as the space has dimensions
 };
 
-/// The class of every node of a mesh. What smooths a mesh asks it which nodes have unknowns, how
-/// many and in which directions; Topology::on_boundary() says what the mesh is, not what may move.
-/// SlidingNodes knows what nodes slide on, TiedNodes which ones others take along, NodeUnknowns the
-/// numbers of unknowns.
+/// The class of every node of a mesh: which nodes have unknowns, how many and in which directions.
+/// (Topology::on_boundary() describes the mesh, not what may move.) SlidingNodes has the geometry
+/// of sliding nodes, TiedNodes the dependent nodes, NodeUnknowns the numbering of the unknowns.
 class NodeClasses {
  public:
   /// The interior nodes are free, all others fixed.
@@ -120,45 +119,46 @@ class NodeClasses {
   }
   /// Number of directions in which a node may move: 0 to 3.
   int unknowns(Index node) const;
-  /// As many directions as the node has unknowns: of a free node the axes.
+  /// As many directions as the node has unknowns: for a free node the axes.
   TangentFrame frame(Index node) const;
-  /// Where a node at a point is, and the directions in which it may move from there: of a node that
-  /// slides on geometry the foot of the point, else the point itself and its frame.
+  /// The position of a node placed at a point, and the directions in which it may move from there.
+  /// For a node that slides on geometry this is the foot of the point, otherwise the point itself
+  /// with its frame.
   Foot foot(Index node, const Vec3& point) const;
 
   // Each throws UsageError for a node that the mesh does not have.
 
-  /// Of a periodic pair both nodes.
+  /// For a node of a periodic pair, fixes both nodes.
   void set_fixed(std::span<const Index> nodes) { set(nodes, NodeClass::fixed); }
   void set_prescribed(std::span<const Index> nodes) { set(nodes, NodeClass::prescribed); }
-  /// Throws UsageError for a node that no element uses: nothing says where it is to go.
+  /// Throws UsageError for a node that no element uses: no equation determines its position.
   void set_free(std::span<const Index> nodes);
   /// tangent: of any length but zero; in the plane its third component must be zero.
   void set_on_curve(Index node, const Vec3& tangent);
   /// normal: of any length but zero. Throws UsageError in the plane.
   void set_on_surface(Index node, const Vec3& normal);
-  /// Nodes that slide on geometry, which says what it is at the places in x.
+  /// Lets nodes slide on geometry, which gives their directions at x.
   void set_sliding(std::span<const Index> nodes, std::shared_ptr<const SlidingGeometry> geometry,
                    const Coordinates& x);
 
-  /// Pairs of nodes that move as one: those of the first side are free, those of the second their
-  /// images; so are those of corners of which the first slides. Throws UsageError for nodes that
-  /// are in a pair already.
+  /// Couples pairs of nodes: those of the first side become free, those of the second their images.
+  /// The same holds at corners where the first node slides. Throws UsageError for nodes that are in
+  /// a pair already.
   void set_periodic(const PeriodicPairs& pairs);
-  /// The nodes between the ends of a row that can follow do so; one of its ends at least moves.
+  /// Lets the nodes between the ends of a row follow, where possible; at least one end must move.
   void set_following(std::shared_ptr<const CurveRow> row);
-  /// Of a surface mesh: see SlidingNodes::set_element_normals().
+  /// For a surface mesh: see SlidingNodes::set_element_normals().
   void set_element_normals(std::shared_ptr<const ElementNormals> normals) {
     sliding_.set_element_normals(std::move(normals));
   }
 
   /// What nodes slide on.
   const SlidingNodes& sliding() const { return sliding_; }
-  /// Nodes that others take along.
+  /// Nodes that depend on others.
   const TiedNodes& tied() const { return tied_; }
 
-  /// Whether the same nodes may move in the same directions. What is fixed in one and prescribed in
-  /// the other counts as the same.
+  /// Whether the same nodes may move in the same directions. Fixed and prescribed nodes count as
+  /// the same.
   bool same_unknowns(const NodeClasses& other) const;
 
  private:

@@ -9,21 +9,20 @@ namespace winslow {
 /// Reference normals of the elements of a surface mesh at x; empty where the classes have none.
 std::vector<Vec3> element_normals(const NodeClasses& classes, const Coordinates& x, int threads);
 
-/// check_validity() of the mesh of a run: elements of a surface mesh by the reference normals.
+/// check_validity() for the mesh of a run: for a surface mesh by the reference normals.
 Validity check_validity(const NodeClasses& classes, const Coordinates& x, int threads);
 
 /// The unknowns of a mesh, in ascending order of the nodes. The unknowns of a free node are its
 /// coordinates; those of a node on a curve or a surface are its distances from the origin along the
-/// directions of its frame. Members that SmoothingProblem has, too, do what is said there. Copies
-/// share the numbering.
+/// directions of its frame. Members with the same name as in SmoothingProblem are documented there.
+/// Copies share the numbering.
 ///
-/// Validity of a surface mesh is by the element normals of the classes.
+/// The validity of a surface mesh is checked by the element normals of the classes.
 class NodeUnknowns {
  public:
   enum class Layout {
     packed,  ///< each node has as many numbers as it has unknowns
-    blocks   ///< each node has as many as the elements have dimensions; what is left over means
-             ///< nothing
+    blocks   ///< each node has as many as the elements have dimensions; surplus numbers have no meaning
   };
   /// threads: 0 for all cores; no result depends on it.
   NodeUnknowns(std::shared_ptr<const NodeClasses> classes, int threads,
@@ -37,20 +36,20 @@ class NodeUnknowns {
   std::span<const Index> nodes() const { return layout_->nodes; }
   /// The nodes that are images of others, ascending.
   std::span<const NodeImage> images() const { return layout_->images; }
-  /// The rows whose nodes follow.
+  /// The rows whose inner nodes follow their ends.
   std::span<const std::shared_ptr<const CurveRow>> rows() const { return classes_->tied().rows(); }
   /// Number of the first unknown of nodes()[i].
   std::size_t first(std::size_t i) const { return layout_->first[i]; }
   /// Number of unknowns of nodes()[i].
   std::size_t count(std::size_t i) const { return layout_->first[i + 1] - layout_->first[i]; }
-  /// Throws UsageError unless all nodes that have unknowns are free and in the interior: what a
-  /// formulation can do that knows no geometry of the boundary. what: names the formulation.
+  /// Throws UsageError unless all nodes with unknowns are free and in the interior, for
+  /// formulations without boundary geometry. what: names the formulation.
   void require_free_interior(const char* what) const;
-  /// Throws UsageError if a node of the boundary is free that has no image: nothing would hold it.
+  /// Throws UsageError if a free boundary node has no image: nothing would hold it.
   void require_held_boundary(const char* what) const;
 
-  /// Throws UsageError unless all nodes that have unknowns slide: a node that leaves a surface mesh
-  /// leaves its shape.
+  /// Throws UsageError unless all nodes with unknowns slide: free nodes would leave the shape of a
+  /// surface mesh.
   void require_sliding(const char* what) const;
 
   /// Mean length of the edges at a node, in units of the mesh.
@@ -63,8 +62,8 @@ class NodeUnknowns {
   void velocities(const Coordinates& x, std::span<const double> rates, Coordinates& out) const;
   double largest_valid_step(const Coordinates& from, const Coordinates& to, double most) const;
   Validity validity(const Coordinates& x) const;
-  /// Residuals are differences of coordinates over edge lengths, so they carry the round-off of the
-  /// coordinates in units of the edges.
+  /// Residuals are differences of coordinates divided by edge lengths, so they contain the
+  /// round-off of the coordinates in units of the edges.
   double residual_round_off(const Coordinates& x) const;
 
  private:
@@ -73,7 +72,7 @@ class NodeUnknowns {
     std::vector<std::size_t> first;  // one more than nodes
     std::vector<NodeImage> images;
   };
-  /// Puts the nodes that have no unknowns of their own where those of the others take them.
+  /// Computes the positions of nodes without their own unknowns from the other nodes.
   void place_others(Coordinates& x) const;
   template <int D>
   Vec<D> move_of(std::size_t i, const Vec<D>& from, std::span<const double> rates) const;
@@ -83,12 +82,13 @@ class NodeUnknowns {
   int threads_;
 };
 
-/// Finds nodes that stop at jumps and folds of what they slide on. The energy has no derivative
-/// there, and no step of Newton's method takes a node across.
+/// Finds nodes that get stuck at jumps and folds of their curve or surface. The energy has no
+/// derivative there, and no step of Newton's method moves a node across.
 ///
-/// Adds to `stuck` (#nodes with unknowns) the sliding nodes that a step takes across a jump or a
-/// fold; returns how many. At a jump the feet of x and `there` are farther apart than the step is
-/// long. At a fold the surface turns between them all at once, not gradually as a curved one does.
+/// Adds to `stuck` (#nodes with unknowns) the sliding nodes that a step moves across a jump or a
+/// fold; returns their number. At a jump the feet of x and `there` are farther apart than the step
+/// length. At a fold the surface direction changes abruptly between them, not gradually as on a
+/// curved surface.
 ///
 /// The step is `step` times the direction, from x to `there`. stride: numbers per node in the
 /// direction, those of its unknowns first.
@@ -96,8 +96,8 @@ Index add_nodes_led_astray(const NodeUnknowns& nodes, const Coordinates& x,
                            const Coordinates& there, std::span<const double> direction,
                            std::size_t stride, double step, std::vector<bool>& stuck);
 
-/// The part of a problem that is the same for all formulations over the nodes of a mesh. Problem:
-/// the kind of SmoothingProblem that it is.
+/// The common part of all formulations over the nodes of a mesh. Problem: the base class, a kind of
+/// SmoothingProblem.
 template <typename Problem>
 class NodeProblem : public Problem {
  public:

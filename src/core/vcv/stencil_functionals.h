@@ -5,7 +5,8 @@
 
 namespace winslow {
 
-/// The five numbers per neighbour to which a VCV reduces. With r_0 the node and r_k its neighbours,
+/// The five numbers per neighbour that represent a VCV in the operator. With r_0 the node and r_k
+/// its neighbours,
 ///   r_x = sum_k dx_k (r_k - r_0),   r_y = sum_k dy_k (r_k - r_0)
 /// is the area-weighted mean of the VCV triangles' gradients (Green-Gauss over the VCV polygon),
 /// and

@@ -3,7 +3,7 @@
 #include "core/mesh/coordinates.h"
 #include "core/vcv/virtual_control_volumes.h"
 
-/// One node gets angles of its own, in degrees:
+/// Sets the VCV angles of one node, in degrees:
 ///
 ///     winslow::EditVcvCommand edit;
 ///     winslow::VcvEdit angles;
@@ -14,41 +14,42 @@
 namespace winslow {
 
 /// New numbers for the VCV of one node: angles of a plane mesh, directions of a volume mesh.
-/// Without any: the VCV again that the node has of itself.
+/// Without any: resets the node's VCV to the default.
 struct VcvEdit {
   Index node = -1;
-  /// The node's neighbours to which the numbers belong: of a plane mesh counter-clockwise from any
-  /// one on, of a volume mesh in any order; empty: as in Topology::neighbours().
+  /// The neighbours to which the numbers belong: in a plane mesh counter-clockwise from any one, in
+  /// a volume mesh in any order; empty: as in Topology::neighbours().
   std::vector<Index> neighbours;
   /// Degrees; angle k lies between neighbour k and neighbour k + 1 (cyclic). Their sum is 360
   /// within 0.01 and is made exact. Empty: equal angles.
   std::vector<double> angles;
   std::vector<double> lengths;  ///< of the edges to the neighbours; empty: all 1
-  /// Where the edges point to, of any length but zero; so that no triangle of the link is inverted.
+  /// Directions of the edges, of any length but zero, such that no triangle of the link is
+  /// inverted.
   std::vector<Vec3> directions = {};
 
   bool resets() const { return angles.empty() && lengths.empty() && directions.empty(); }
   bool operator==(const VcvEdit&) const = default;
 };
 
-/// VCVs with edits applied in their order. Throws UsageError naming the node whose numbers are no
-/// VCV, or which has none.
+/// VCVs with edits applied in their order. Throws UsageError naming the node if its numbers are no
+/// valid VCV, or if the node has no VCV.
 std::shared_ptr<const VirtualControlVolumes> edit_vcvs(const VirtualControlVolumes& vcv,
                                                        std::span<const VcvEdit> edits);
 
-/// The edit that gives a node the VCV which it has now.
+/// The edit that reproduces the present VCV of a node.
 VcvEdit edit_of(const VirtualControlVolumes& vcv, Index node);
 
-/// Places (counter-clockwise) by which the edges of one physical star are numbered later than those
-/// of another of as many edges: edge k of `from` and edge k + shift of `to` (cyclic) point nearly
-/// the same way. points: neighbours relative to their node.
+/// The cyclic shift that matches the edges of two physical stars with the same number of edges:
+/// edge k of `from` and edge k + shift of `to` (counter-clockwise) have nearly the same direction.
+/// points: neighbours relative to their node.
 std::size_t matching_shift(std::span<const Vec2> from, std::span<const Vec2> to);
 
-/// Edits that give the VCV of one node to others with as many neighbours, each turned so that its
-/// edges belong to neighbours in nearly the same directions in the mesh x (#nodes by 2). Of a
-/// surface mesh (x: #nodes by 3) directions are those in the tangent planes, that of the target
-/// turned into the source's by the smallest rotation. Throws UsageError for a target with another
-/// number of neighbours, or without a VCV.
+/// Edits that copy the VCV of one node to others with as many neighbours. Each copy is rotated so
+/// that its edges match the neighbours with nearly the same directions in the mesh x (#nodes by 2).
+/// In a surface mesh (x: #nodes by 3) directions lie in the tangent planes; the smallest rotation
+/// maps the target's plane to the source's. Throws UsageError for a target with another number of
+/// neighbours, or without a VCV.
 std::vector<VcvEdit> spread_vcv(const VirtualControlVolumes& vcv, const Coordinates& x,
                                 Index source, std::span<const Index> targets);
 

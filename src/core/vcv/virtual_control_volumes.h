@@ -7,8 +7,7 @@
 
 namespace winslow {
 
-/// What the VCVs of plane and of volume meshes ask of a node and of the edge lengths that it is
-/// given.
+/// Checks for the VCVs of plane and volume meshes.
 
 /// Throws UsageError unless it is an interior node that some element uses.
 void require_vcv_node(const Topology& topology, Index node);
@@ -22,13 +21,12 @@ void require_edge_lengths(Index node, std::span<const double> lengths);
 ///
 /// Karman & Sahasrabudhe, AIAA 2009-1362, section "Virtual Control Volume (2D)": the node lies at
 /// the origin, its edge neighbours on the unit circle in the order of connectivity, separated by
-/// equal angles; quadrilaterals are cut at the corner, so each element gives one triangle. Control
-/// of angles and spacing comes from changing these numbers. Only those that were changed are stored
-/// for each node: a copy is cheap.
+/// equal angles; quadrilaterals are cut at the corner, so each element gives one triangle. Changing
+/// these numbers controls angles and spacing. Only changed VCVs are stored, so a copy is cheap.
 class VirtualControlVolumes {
  public:
-  /// Equal angles (2 pi / #neighbours) and unit edges. Of a surface mesh they are those of its
-  /// tangent planes. Throws UsageError for a volume mesh.
+  /// Equal angles (2 pi / #neighbours) and unit edges. In a surface mesh they lie in the tangent
+  /// planes. Throws UsageError for a volume mesh.
   explicit VirtualControlVolumes(std::shared_ptr<const Topology> topology);
 
   const Topology& topology() const { return *topology_; }
@@ -37,7 +35,7 @@ class VirtualControlVolumes {
   /// Angle k, in radians, lies between edge k and edge k + 1 (cyclic); they sum to 2 pi.
   /// Empty for nodes of the boundary.
   std::span<const double> angles(Index node) const;
-  /// Length of edge k. Only ratios within one VCV act. Empty for nodes of the boundary.
+  /// Length of edge k. Only ratios within one VCV matter. Empty for nodes of the boundary.
   std::span<const double> lengths(Index node) const;
   /// Computational position of neighbour k of an interior node: edge 0 lies on the positive x axis.
   Vec2 point(Index node, Index k) const;
@@ -46,7 +44,7 @@ class VirtualControlVolumes {
   /// 2 pi within 1e-9; lengths are positive, the longest at most 1e12 times the shortest. Throws
   /// UsageError otherwise.
   void set(Index node, std::span<const double> angles, std::span<const double> lengths);
-  /// Back to equal angles and unit edges. Throws UsageError for a node of the boundary.
+  /// Resets the VCV to equal angles and unit edges. Throws UsageError for a node of the boundary.
   void reset(Index node);
 
   /// Angles and lengths of one node.
