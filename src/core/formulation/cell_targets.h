@@ -9,8 +9,8 @@
 
 namespace winslow {
 
-/// One target of one triangle (a, b, c), as the quadratic form that measures the physical triangle
-/// in the target's metric:
+/// One target of one triangle (a, b, c), as the quadratic form of the physical triangle in the
+/// target's metric:
 ///
 ///   N = ab |b - a|^2 + ac |c - a|^2 + bc |c - b|^2,   |J|_F^2 / det J = N / (2 area),
 ///
@@ -26,7 +26,7 @@ struct ShapeTerm {
 struct VolumeTerm {
   double a11 = 0, a12 = 0, a13 = 0, a22 = 0, a23 = 0, a33 = 0;
   double weight = 0;  ///< share in the energy
-  double unused = 0;  ///< a term is two packs of four
+  double unused = 0;  ///< padding: a term is two packs of four
 };
 
 /// Targets of simplices: triangles of a plane mesh (D = 2), tetrahedra of a volume mesh (D = 3),
@@ -35,11 +35,12 @@ template <int D>
 struct CellTargets {
   using Term = std::conditional_t<D == 2, ShapeTerm, VolumeTerm>;
 
-  std::vector<std::array<Index, D + 1>> cells;  ///< nodes, positively oriented; the corner first
-  std::vector<Index> offsets{0};                ///< #cells + 1, into terms
+  std::vector<std::array<Index, D + 1>>
+      cells;                      ///< nodes, positively oriented; the corner node first
+  std::vector<Index> offsets{0};  ///< #cells + 1, into terms
   std::vector<Term> terms;
-  /// Part of the elements (0 to 1) that `auto` targets keep stretched. None where the blend has no
-  /// share for them.
+  /// Fraction of the elements (0 to 1) that `auto` targets keep stretched. None if the blend has no
+  /// `automatic` share.
   std::optional<double> stretched;
 
   std::span<const Term> terms_of(std::size_t cell) const { return part(terms, cell); }
@@ -52,18 +53,20 @@ struct CellTargets {
   }
 };
 
-/// Isotropic elements, wherever they were stretched before:
+/// Makes all elements isotropic, including those that were stretched:
 ///
 ///     winslow::SmoothCommand smooth;
 ///     smooth.smooth.targets = winslow::TargetBlend::regular();
 
-/// Which shapes the variational form drives elements towards. The shares are relative; a blend lies
-/// between its parts (on the geodesic of the metrics of the shapes).
+/// The target shapes of the variational form. The shares are relative; a blend lies between its
+/// parts (on the geodesic of the metrics of the shapes).
 struct TargetBlend {
-  double automatic = 1;  ///< regular, or the element's own shape where it is stretched on purpose
-  double element = 0;  ///< regular: equilateral triangles, square corners, and their like in space
-  double vcv = 0;      ///< the triangles or tetrahedra of the virtual control volumes
-  double rest = 0;     ///< the element's own shape in the mesh as given
+  double automatic =
+      1;  ///< regular, or the element's own shape where the mesh is stretched deliberately
+  double element =
+      0;            ///< regular: equilateral triangles, square corners, and the analogues in space
+  double vcv = 0;   ///< triangles or tetrahedra of the virtual control volumes
+  double rest = 0;  ///< the element's own shape in the mesh as given
 
   static constexpr TargetBlend regular() { return {.automatic = 0, .element = 1}; }
 
@@ -78,12 +81,12 @@ inline bool refers_to_given(const TargetBlend& blend) {
 /// The shares scaled to sum to 1. Throws UsageError for shares that are negative or all zero.
 TargetBlend normalized(const TargetBlend& blend);
 
-/// What is known of an element that its targets should heed.
+/// The role of an element, which affects its targets.
 enum class ElementRole : std::uint8_t {
   ordinary,      ///< nothing
-  layer,         ///< it is in a layer that was inserted: its shape counts far more than others'
-  found_layer,   ///< it is in a layer that was found in the mesh: the same, by less
-  beside_layers  ///< it touches the rim or a step of layers from outside: it keeps its own target
+  layer,         ///< in an inserted layer: its shape has a far greater weight
+  found_layer,   ///< in a layer found in the mesh: a greater weight, but less so
+  beside_layers  ///< outside, at the rim or a step of layers: it keeps its own target
 };
 /// #elements
 using ElementRoles = std::vector<ElementRole>;
@@ -93,19 +96,18 @@ inline ElementRole role_of(const ElementRoles* roles, Index element) {
   return roles ? (*roles)[at(element)] : ElementRole::ordinary;
 }
 
-/// How much more than that of an ordinary element the shape of one counts.
+/// Weight of an element's shape relative to that of an ordinary element.
 ///
-/// All count relative to their size, so the elements outside, pressed together to make room, would
-/// otherwise press the layers by about as much and turn the columns of fans; 1e4 leaves a
-/// ten-thousandth of it to the corrections. Layers that were found keep the shapes that they have,
-/// which costs less: there 1e3 do, and the linear systems are easier to solve.
+/// The energy does not depend on size. So elements outside that were compressed to make room would
+/// compress the layers by about as much and turn the columns of fans; the weight 1e4 leaves a
+/// ten-thousandth of this to the corrections. Found layers keep their present shapes, for which 1e3
+/// suffices, and the linear systems are easier to solve.
 double role_weight(ElementRole role);
-/// Whether the VCVs that nodes of an element were given do not count in it: those of a rim are made
-/// for the layers.
+/// Whether an element ignores edited VCVs of its nodes: those of a rim are made for the layers.
 inline bool ignores_vcvs(ElementRole role) { return role == ElementRole::beside_layers; }
 
-/// Weight of an element in the energy, all of its targets together. stretch: of the mesh as given;
-/// counts where the blend has a share for `automatic`.
+/// Weight of an element in the energy: the sum over its targets. stretch: of the mesh as given;
+/// used if the blend has an `automatic` share.
 double element_weight(Index element, const TargetBlend& blend, const StretchField& stretch,
                       const ElementRoles* roles);
 

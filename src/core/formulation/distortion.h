@@ -5,8 +5,8 @@
 #include "core/formulation/target_metric.h"
 #include "core/formulation/variational_form.h"
 
-/// Distortion of one triangle against one target, and the projection of its Hessian. Values,
-/// gradients and exact Hessians: simplex_kernel.h, where the equations are.
+/// Distortion of one triangle against one target, and the projection of its Hessian. For values,
+/// gradients, exact Hessians and the equations see simplex_kernel.h.
 namespace winslow::distortion {
 
 /// Two edges at the triangle's first corner and the determinant.
@@ -37,12 +37,12 @@ struct Corner2 {
 /// exactly one is positive because psi does not change with size.
 void add_projected_blocks(const Corner2& q, const ShapeTerm& term, const PenaltyFunction& psi,
                           double* blocks);
-/// The same of all terms of a cell, in the place of the blocks that its sum (TriangleSum) has.
+/// The same for all terms of a cell; replaces the blocks in its sum (TriangleSum).
 void project_blocks(const Corner2& q, std::span<const ShapeTerm> terms, const PenaltyFunction& psi,
                     double* sum);
 
-/// Distortion of one tetrahedron against one target. Gradients and Hessians: simplex_kernel.h,
-/// where the equations are.
+/// Distortion of one tetrahedron against one target. For gradients, Hessians and the equations see
+/// simplex_kernel.h.
 
 /// The three edges at the tetrahedron's first node, and the determinant.
 struct Corner3 {
@@ -50,7 +50,7 @@ struct Corner3 {
   double d;
 
   explicit Corner3(const std::array<Vec3, 4>& p);
-  /// f; not positive where the tetrahedron is inverted.
+  /// f; not positive if the tetrahedron is inverted.
   double distortion(const VolumeTerm& term) const;
 };
 

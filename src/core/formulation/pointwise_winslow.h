@@ -6,8 +6,8 @@
 
 namespace winslow {
 
-/// What the pointwise form has from the connectivity and from which nodes move. Forms over other
-/// VCVs share it, and with it what a linear solver has worked out for the pattern.
+/// The part of the pointwise form that depends only on the connectivity and the moving nodes. Forms
+/// with other VCVs share it, so a linear solver can reuse its work on the pattern.
 struct PointwisePattern {
   /// classes: which nodes move. threads: 0 for all cores; no result depends on it. Throws
   /// UsageError for nodes that slide.
@@ -36,7 +36,7 @@ class PointwiseForm final : public NodeProblem<EquationProblem> {
   using Operator = StencilOperator<D>;
   using Vcvs = typename Operator::Vcvs;
 
-  /// As of PointwisePattern.
+  /// Arguments as for PointwisePattern.
   PointwiseForm(const Vcvs& vcvs, std::shared_ptr<const NodeClasses> classes, int threads,
                 bool clipped = false)
       : PointwiseForm(vcvs, PointwisePattern(std::move(classes), threads), clipped) {}
@@ -47,31 +47,31 @@ class PointwiseForm final : public NodeProblem<EquationProblem> {
 
   std::string_view name() const override { return "pointwise"; }
   ResidualNorms residual(const Coordinates& x, std::span<double> out) const override;
-  /// One matrix for all coordinates, its rows scaled by row_scales().
+  /// The matrix is the same for all coordinates; its rows are scaled by row_scales().
   Index freeze(const Coordinates& x, SparseSystem& out) const override;
 
   /// Newton's system J delta = S R: the exact J = -S dR/dx as an unsymmetric matrix of D by D
   /// blocks (pattern of NodePattern) and S R (#free by D), a length. S holds the row_scales() at x
-  /// and counts as constant. R is differentiated as residual() gives it, the division of the
-  /// coefficients by their mean included. Clipped: edges with negative weights are left out of the
-  /// derivative of the weights, too (an element of the generalised Jacobian, L. Qi and J. Sun, "A
-  /// nonsmooth version of Newton's method", Math. Program. 58, 1993). A row without weights becomes
-  /// that of the identity. Returns the norms of R as residual() does.
+  /// and is treated as constant. The derivative of R includes the division of the coefficients by
+  /// their mean. Clipped: edges with negative weights do not contribute to the derivative of the
+  /// weights (an element of the generalised Jacobian, L. Qi and J. Sun, "A nonsmooth version of
+  /// Newton's method", Math. Program. 58, 1993). A row without weights becomes an identity row.
+  /// Returns the norms of R as residual() does.
   ResidualNorms linearise(const Coordinates& x, SparseMatrix& jacobian,
                           std::span<double> residual) const override;
   void boundary_response(const Coordinates& x, const Coordinates& displacement,
                          std::span<double> out) const override;
-  /// Of each free node: row_scales() over its mean edge.
+  /// For each free node: row_scales() divided by its mean edge length.
   std::vector<double> merit_weights(const Coordinates& x) const override;
   double merit(const Coordinates& x, std::span<const double> weights) const override;
 
-  /// 1 / sum_k |w_k| at every free node (#free), by which rows are multiplied: it takes R to the
-  /// size of the distance by which the node alone would move. 1 where all weights are zero.
+  /// Row scale factors 1 / sum_k |w_k| at every free node (#free): they scale R to about the
+  /// distance by which the node alone would move. 1 where all weights are zero.
   void row_scales(const Coordinates& x, std::span<double> out) const;
-  /// Coefficients at a free node. Where the nodal gradient vanishes: those of the Laplacian.
+  /// Coefficients at a free node; those of the Laplacian if the nodal gradient vanishes.
   typename Operator::Coefficients coefficients(const Coordinates& x, Index node) const;
-  /// Weights of a free node's neighbours (as many as it has). Returns the number of negative ones;
-  /// clipped, they are set to zero.
+  /// Weights of a free node's neighbours (#neighbours). Returns the number of negative ones; the
+  /// clipped form sets them to zero.
   Index weights(const Coordinates& x, Index node, std::span<double> out) const;
 
  private:
@@ -90,7 +90,7 @@ class PointwiseForm final : public NodeProblem<EquationProblem> {
   bool clip_;
 };
 
-/// Of plane meshes, and of volume meshes.
+/// For plane meshes, and for volume meshes.
 using PointwiseWinslow = PointwiseForm<2>;
 using VolumePointwise = PointwiseForm<3>;
 

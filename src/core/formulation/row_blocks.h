@@ -13,8 +13,8 @@
 
 namespace winslow {
 
-/// Of each row, the corners of cells at it: N * cell + corner, ascending. row_of_node: -1 for nodes
-/// without a row.
+/// For each row, the cell corners at its node: N * cell + corner, ascending. row_of_node: -1 for
+/// nodes without a row.
 template <std::size_t N>
 CompressedRows corners_of_rows(const std::vector<std::array<Index, N>>& cells,
                                std::span<const Index> row_of_node, Index rows) {
@@ -34,7 +34,8 @@ CompressedRows corners_of_rows(const std::vector<std::array<Index, N>>& cells,
   return corners;
 }
 
-/// The pattern with an entry for every pair of rows with a common cell. corners: of the rows.
+/// The pattern with an entry for every pair of rows with a common cell. corners: see
+/// corners_of_rows().
 template <std::size_t N>
 std::shared_ptr<SparsityPattern> pattern_of_cells(const std::vector<std::array<Index, N>>& cells,
                                                   const CompressedRows& corners,
@@ -50,11 +51,11 @@ std::shared_ptr<SparsityPattern> pattern_of_cells(const std::vector<std::array<I
   return build_pattern(corners.rows(), parallel_block, threads, [&] { return list; });
 }
 
-/// The free nodes (rows) in blocks that lie close together in the mesh, with the cells (triangles
-/// in the plane, tetrahedra in space) around each block. What is worked out for a cell of a block
-/// serves all of the block's rows and is still in the cache for the last of them; a cell between
-/// two blocks is worked out in both, so blocks of space, which have more surface, are larger. Mesh
-/// generators number nodes almost at random, so the blocks follow an order of their own.
+/// The free nodes (rows) in spatially compact blocks, with the cells (triangles in the plane,
+/// tetrahedra in space) around each block. The results for a cell serve all rows of a block while
+/// they are in the cache. A cell between two blocks is computed in both, so blocks in space, which
+/// have more surface, are larger. Mesh generators number nodes almost at random, so the blocks have
+/// their own order of the nodes.
 template <int D>
 class RowBlocks {
  public:
@@ -74,18 +75,18 @@ class RowBlocks {
   const Index* order(Index position) const { return order_.data() + position; }
   /// The cells around a block.
   std::span<const Index> cells(Index block) const { return part(cells_, block); }
-  /// Where each of them belongs. The block's own matrix has its rows one after the other, in the
-  /// order of positions and each as in the pattern, after one entry that nobody needs.
+  /// Where the sum of each cell is added. The block's own matrix holds one unused entry, then the
+  /// rows in the order of positions, each as in the pattern.
   std::span<const distortion::SimplexPlaces<D>> places(Index block) const {
     return part(places_, block);
   }
   /// Entries of a block's own matrix.
   Index entries(Index block) const { return entries_[static_cast<std::size_t>(block)]; }
 
-  /// Number from which a block's cells are in no earlier block, once they are renumbered.
+  /// First cell number of a block that is in no earlier block, after renumber_cells().
   Index first_new_cell(Index block) const { return first_new_[static_cast<std::size_t>(block)]; }
 
-  /// Numbers the cells as the blocks meet them. Returns the old number of each.
+  /// Renumbers the cells in the order in which the blocks use them. Returns the old number of each.
   std::vector<Index> renumber_cells();
 
  private:
@@ -117,14 +118,14 @@ inline std::vector<Index> make_row_of_node(const NodeUnknowns& nodes) {
   return row;
 }
 
-/// All rows, those of nodes without unknowns of their own too.
+/// Number of all rows, including those of nodes without their own unknowns.
 inline Index count_rows(const NodeUnknowns& nodes) {
   std::size_t count = nodes.nodes().size() + nodes.images().size();
   for (const auto& of : nodes.rows()) count += of->between().size();
   return static_cast<Index>(count);
 }
 
-/// What depends on the connectivity alone, and on which nodes move.
+/// Data that depend only on the connectivity and the moving nodes.
 template <int D>
 struct SimplexStructure {
   SimplexStructure(const NodeUnknowns& nodes, const CellTargets<D>& shapes)
@@ -147,21 +148,21 @@ struct SimplexStructure {
   }
   std::vector<Index> row_of_node;
   RowBlocks<D> rows;
-  std::vector<Index> shape_order;   // number in the targets as given of each cell of shapes_
+  std::vector<Index> shape_order;   // for each cell of shapes_, its number in the targets as given
   std::vector<Index> half_free;     // cells with a node that has no unknowns
   std::vector<Index> cells_at_row;  // how many
   FollowerRows<D> followers;
   PeriodicRows<D> periodic;
   SlidingRows<D> sliding;
 
-  /// Whether some rows stand for no unknowns of their own.
+  /// Whether some rows belong to nodes without their own unknowns.
   bool joins() const { return !followers.empty() || !periodic.empty(); }
-  /// Whether the gradient of a row becomes part of one with those of others.
+  /// Whether the gradient of a row is combined with those of other rows.
   bool is_joint(std::size_t row) const {
     if (followers.is_part(row)) return true;
     return row < cells_at_row.size() - follower_count() && periodic.is_part(row);
   }
-  /// The rows with unknowns that a row is part of; -1 for none.
+  /// The rows with unknowns to which a row contributes; -1 for none.
   std::array<Index, 2> unknown_rows(std::size_t row) const {
     std::array<Index, 2> out = followers.rows(row);
     for (Index& r : out)
@@ -169,7 +170,7 @@ struct SimplexStructure {
     if (out[0] == out[1]) out[1] = -1;
     return out;
   }
-  /// Of a row, by what SlidingRows::feet() gives.
+  /// The foot of a row in the result of SlidingRows::feet(); null if the row does not slide.
   const Foot* foot(std::span<const Foot> feet, std::size_t row) const {
     const Index slot = sliding.slot(row);
     return slot < 0 ? nullptr : &feet[at(slot)];
@@ -181,12 +182,12 @@ struct SimplexStructure {
   }
 };
 
-/// From sums over all rows, as if their nodes moved by themselves, to those with unknowns: first
-/// what follows, then what is the image of others, then what slides.
+/// Reduces sums over all rows, assembled as if all nodes moved independently, to the rows with
+/// unknowns: eliminates followers, then images, then restricts sliding nodes.
 template <int D>
 class RowReduction {
  public:
-  /// stuck: nodes (#those with unknowns, or empty) that are held where they slide.
+  /// stuck: sliding nodes to hold (#nodes with unknowns, or empty).
   RowReduction(const SimplexStructure<D>& structure, const NodeUnknowns& nodes,
                const Coordinates& x, const std::vector<bool>& stuck)
       : structure_(structure),
@@ -199,11 +200,11 @@ class RowReduction {
     full_.resize(D * scales_.size());
   }
 
-  /// Of all rows: `out`, which may be empty, where all have unknowns of their own.
+  /// Storage for all rows: `out` (which may be empty) if all rows have their own unknowns.
   std::span<double> all_rows(std::span<double> out) {
     return structure_.joins() ? std::span<double>(full_) : out;
   }
-  /// What a row's gradient compares with goes to the norms, at once where it has one of its own.
+  /// Adds a row's scaled gradient to the norms; for a joint row stores its scale for reduce().
   void add_norm(std::size_t row, const RowSum<D>& sum, NormSum& norms) {
     const Index count = structure_.cells_at_row[row];
     if (structure_.is_joint(row))
@@ -211,7 +212,7 @@ class RowReduction {
     else
       norms.add(sum.scaled(count, structure_.foot(feet_, row)));
   }
-  /// full: all_rows(), which may be empty where out is. norms: null, or gets those of joint rows.
+  /// full: all_rows(); may be empty if `out` is. norms: null, or receives those of joint rows.
   void reduce(std::span<double> full, std::span<double> out, std::vector<NormSum>* norms) const {
     if (!structure_.joins()) {
       if (!out.empty()) structure_.sliding.restrict(feet_, out);
@@ -222,8 +223,8 @@ class RowReduction {
     if (norms) norms->push_back(joint_norms(reduced));
     if (!out.empty()) std::ranges::copy(reduced, out.begin());
   }
-  /// The matrix over all rows, which is `out` itself where all have unknowns of their own. full:
-  /// all_rows(), before they are reduced.
+  /// matrix: over all rows; `out` itself if all rows have their own unknowns. full: all_rows()
+  /// before the reduction.
   void reduce(std::span<const double> full, bool convex, SparseMatrix& matrix,
               SparseMatrix& out) const {
     const auto& [followers, periodic, sliding] =

@@ -33,9 +33,9 @@ class FollowerRows {
                std::shared_ptr<const SparsityPattern> full);
 
   bool empty() const { return ends_.empty(); }
-  /// Of the other rows: the full one where nothing follows.
+  /// Pattern of the other rows: the full one if nothing follows.
   const std::shared_ptr<const SparsityPattern>& pattern() const { return pattern_; }
-  /// The rows that a row's gradient becomes part of: its own, or those of the ends; -1 for none.
+  /// The rows to which a row's gradient contributes: itself, or the ends; -1 for none.
   std::array<Index, 2> rows(std::size_t full_row) const {
     if (full_row < own_) return {static_cast<Index>(full_row), -1};
     return ends_[full_row - own_];
@@ -43,18 +43,18 @@ class FollowerRows {
   /// Whether a row follows, or is followed.
   bool is_part(std::size_t full_row) const { return !empty() && part_[full_row] != 0; }
 
-  /// Of one follower.
+  /// The derivatives of one follower's position.
   struct Lever {
     Vec<D> tangent = Vec<D>::Zero(), curvature = Vec<D>::Zero();
     std::array<Vec<D>, 2> ends{Vec<D>::Zero(), Vec<D>::Zero()};  ///< v_km
   };
-  /// At x, one after the other.
+  /// The levers of all followers at x, in order.
   std::vector<Lever> levers(const NodeUnknowns& nodes, const Coordinates& x) const;
 
   /// full: over all rows; out: over the others.
   void reduce(std::span<const Lever> levers, std::span<const double> full,
               std::span<double> out) const;
-  /// residual: over all rows, -dE/dx. convex: only what the curvature adds, so that a positive
+  /// residual: over all rows, -dE/dx. convex: omits negative curvature terms, so that a positive
   /// semidefinite matrix stays so.
   void reduce(std::span<const Lever> levers, std::span<const double> residual, bool convex,
               const SparseMatrix& full, SparseMatrix& out) const;
@@ -72,7 +72,7 @@ class FollowerRows {
   Parts parts_of(std::span<const Lever> levers, std::size_t full_row) const;
 
   std::size_t own_ = 0;                     // rows that do not follow
-  std::vector<std::array<Index, 2>> ends_;  // of each follower, rows
+  std::vector<std::array<Index, 2>> ends_;  // rows of the ends of each follower
   std::vector<unsigned char> part_;         // #all rows
   std::shared_ptr<const SparsityPattern> full_, pattern_;
 };
@@ -94,13 +94,13 @@ class PeriodicRows {
   PeriodicRows(const NodeUnknowns& nodes, std::shared_ptr<const SparsityPattern> full);
 
   bool empty() const { return rotation_.empty(); }
-  /// Of the rows with unknowns: the full one where there are no images.
+  /// Pattern of the rows with unknowns: the full one if there are no images.
   const std::shared_ptr<const SparsityPattern>& pattern() const { return pattern_; }
-  /// The row that stands for a row: its own, or that of the node whose image it is.
+  /// The row with unknowns of a row: itself, or that of the node whose image it is.
   Index row(std::size_t full_row) const {
     return empty() ? static_cast<Index>(full_row) : row_[full_row];
   }
-  /// Whether a row has images, or is one: its own gradient is part of one.
+  /// Whether a row has images or is one: its gradient is then combined with others.
   bool is_part(std::size_t full_row) const { return !empty() && part_[full_row] != 0; }
 
   /// full: over all rows; out: over those with unknowns.
@@ -125,18 +125,18 @@ class PeriodicRows {
 extern template class PeriodicRows<2>;
 extern template class PeriodicRows<3>;
 
-/// What the bends of a foot add to the second derivatives by its unknowns. gradient: of the energy
-/// by the node's place. convex: only what curves upwards.
+/// Curvature terms of a foot in the second derivatives with respect to its unknowns. gradient: of
+/// the energy with respect to the node's position. convex: only the positive semidefinite part.
 Eigen::Matrix2d bending(const Foot& foot, const Vec3& gradient, bool convex);
 
-/// The rows of nodes that slide, in a system of D by D blocks that was assembled as if all nodes
-/// were free. With Q_i the directions of node i's frame (D by its unknowns), its unknowns u are
-/// those of x_i(u) = foot(x_i + Q_i u), so that by the chain rule
+/// Restricts the rows of sliding nodes in a system of D by D blocks that was assembled as if all
+/// nodes were free. Q_i are the directions of node i's frame (D by #unknowns of the node), and
+/// x_i(u) = foot(x_i + Q_i u). By the chain rule
 ///
 ///   R_i -> Q_i^T R_i,   H_ij -> Q_i^T H_ij Q_j,   H_ii += sum_kl (dE/dx_i . bend_kl),
 ///
-/// the last by the curvature of what it slides on. Numbers of a block beyond the unknowns of its
-/// node stand for nothing: zero residual, their own equation.
+/// the last term from the curvature of the curve or surface. Surplus numbers of a block, beyond the
+/// unknowns of its node, get a zero residual and an identity equation.
 template <int D>
 class SlidingRows {
  public:
@@ -144,18 +144,18 @@ class SlidingRows {
   SlidingRows(const NodeUnknowns& nodes, const SparsityPattern& pattern);
 
   bool empty() const { return rows_.empty(); }
-  /// Number of a row among those that slide; -1 for the others.
+  /// Index of a row among the sliding rows; -1 for the others.
   Index slot(std::size_t row) const { return slot_.empty() ? -1 : slot_[row]; }
 
-  /// Where the nodes that slide are at x, one after the other.
+  /// The feet of all sliding nodes at x, in order.
   std::vector<Foot> feet(const NodeUnknowns& nodes, const Coordinates& x) const;
 
-  /// Length of the part of a vector along the directions of a foot.
+  /// Length of the component of a vector along the directions of a foot.
   static double along(const Foot& foot, const double* v);
-  /// Of a residual over all rows.
+  /// Restricts a residual over all rows.
   void restrict(std::span<const Foot> feet, std::span<double> residual) const;
-  /// residual: before restrict(), -dE/dx. convex: only what the curvature adds, nothing that it
-  /// takes away, so that a positive semidefinite matrix stays so.
+  /// residual: before restrict(), -dE/dx. convex: omits negative curvature terms, so that a
+  /// positive semidefinite matrix stays so.
   void restrict(std::span<const Foot> feet, std::span<const double> residual, bool convex,
                 SparseMatrix& matrix) const;
 
@@ -167,11 +167,11 @@ class SlidingRows {
 extern template class SlidingRows<2>;
 extern template class SlidingRows<3>;
 
-/// What the variational form sums up, row by row.
+/// The sums of the variational form, row by row.
 
 inline double larger(double a, double b) { return std::isnan(a) || a >= b ? a : b; }
 
-/// Sums of what blocks of rows came to, in the order of the blocks.
+/// Sums of the scaled residuals of rows; blocks of rows are summed in order.
 struct NormSum {
   double max = 0, squares = 0;
   Index count = 0;
@@ -192,21 +192,20 @@ struct NormSum {
   }
 };
 
-/// What the cells around one row came to: diagonal block, gradient, length of their edges at the
-/// node.
+/// Sum over the cells around one row: diagonal block, gradient, length of the edges at the node.
 template <int D>
 struct RowSum {
   const double* v;
   const double* gradient() const { return v + distortion::SimplexLayout<D>::gradient; }
-  /// Distance by which the node alone would move, over the mean edge. cells: around the node. foot:
-  /// of a node that slides; null for others.
+  /// Distance by which the node alone would move, divided by the mean edge length. cells: around
+  /// the node. foot: of a sliding node; null for others.
   double scaled(Index cells, const Foot* foot) const {
     double square = 0;
     for (std::ptrdiff_t k = 0; k < D; ++k) square += gradient()[k] * gradient()[k];
     const double g = foot ? SlidingRows<D>::along(*foot, gradient()) : std::sqrt(square);
     return scale_of(cells).scaled(g);
   }
-  /// What a gradient compares with.
+  /// The scale of a gradient.
   struct Scale {
     double trace = 0, edges = 0;
     Index cells = 0;

@@ -2,21 +2,21 @@
 
 #include "core/index.h"
 
-/// What the innermost loops of the variational form read and write, over the triangles of a plane
-/// mesh (D = 2) and the tetrahedra of a volume mesh (D = 3). Every version of a loop rounds alike:
-/// the result is the same bit for bit.
+/// The innermost loops of the variational form and their data, over the triangles of a plane mesh
+/// (D = 2) and the tetrahedra of a volume mesh (D = 3). All versions of a loop round alike: the
+/// results are bitwise identical.
 namespace winslow::distortion {
 
 /// psi(f) = linear f + scale f^exponent; integer: the exponent minus 2 if that is a small natural
-/// number, else -1. Or, with an inverse_bound, psi(f) = f / (1 - inverse_bound f), infinite from
-/// there on.
+/// number, else -1. Or, with an inverse_bound, psi(f) = f / (1 - inverse_bound f), infinite from f
+/// = 1 / inverse_bound on.
 struct PenaltyConstants {
   double exponent = 1, linear = 0, scale = 1;
   int integer = -1;
   double inverse_bound = 0;  ///< 0: none
 };
 
-/// What the loops read. Arrays are owned by others.
+/// Input of the loops. Non-owning pointers.
 struct SimplexData {
   const double* x = nullptr;       ///< #nodes by D
   const Index* nodes = nullptr;    ///< #cells by D + 1, positively oriented
@@ -25,16 +25,16 @@ struct SimplexData {
   PenaltyConstants penalty;
   const double* size = nullptr;  ///< #cells: e / epsilon of the regularised determinant
   double epsilon = 0;            ///< or null and zero: the determinant itself
-  double curvature_share = 1;    ///< of the determinant's second derivatives in the Hessian: 0
-                                 ///< leaves what is convex by itself
+  double curvature_share = 1;  ///< of the determinant's second derivatives in the Hessian: 0 leaves
+                               ///< the part that is convex by itself
 };
 
-/// Where numbers lie. A cell's sum over its terms: the D by D blocks (row-major) of the rows of the
-/// earlier node of each pair at the later one, pairs in lexicographic order; from `corners` on, for
-/// each of its nodes, `corner` numbers: the gradient and the length of the edges there. A row's sum
-/// over its cells: the diagonal block, and from `gradient` on the same as for a corner. Where no
-/// Hessian is wanted, a cell has slim_sum numbers, slim_corner for each of its nodes: those of a
-/// corner and the trace of the node's diagonal block.
+/// Storage layout. A cell's sum over its terms: for each pair of nodes in lexicographic order, the
+/// D by D block (row-major) in the earlier node's row at the later node. From `corners` on, each
+/// node has `corner` numbers: the gradient and the length of the edges there. A row's sum over its
+/// cells: the diagonal block, and from `gradient` on the same as for a corner. Without a Hessian, a
+/// cell has slim_sum numbers, slim_corner per node: those of a corner and the trace of the node's
+/// diagonal block.
 template <int D>
 struct SimplexLayout;
 
@@ -53,8 +53,8 @@ struct SimplexLayout<3> {
   static constexpr std::ptrdiff_t gradient = 12, row = 16;
 };
 
-/// Where a cell's sum belongs in a block of rows. Place 0 of the block's matrix and the last row of
-/// its sums take what belongs to no row of the block.
+/// Where a cell's sum is added in a block of rows. Place 0 of the block's matrix and the last row
+/// of its sums receive the parts that belong to no row of the block.
 template <int D>
 struct SimplexPlaces {
   std::uint16_t rows[D + 1];
@@ -66,29 +66,29 @@ template <int D>
 struct SimplexKernel {
   /// Sum of weight * psi(f) over the cells [begin, end); infinite if a determinant is not positive.
   double (*energy)(const SimplexData&, Index begin, Index end);
-  /// sums: SimplexLayout::sum numbers for each cell of the list, with room for a multiple of 4.
-  /// Returns the energy of those with at least the number first_counted.
+  /// sums: SimplexLayout::sum numbers for each cell of the list, with room for a multiple of 4
+  /// cells. Returns the energy of the cells with numbers from first_counted on.
   double (*sum)(const SimplexData&, const Index* list, Index count, Index first_counted,
                 double* sums);
   /// The same with the Hessian of each term projected to positive semidefinite. Null in the plane,
   /// where one triangle is projected at a time (distortion.h).
   double (*sum_projected)(const SimplexData&, const Index* list, Index count, Index first_counted,
                           double* sums);
-  /// Gradients and traces alone, slim_sum numbers for each cell; null in the plane.
+  /// Only gradients and traces, slim_sum numbers for each cell; null in the plane.
   double (*sum_gradients)(const SimplexData&, const Index* list, Index count, double* sums);
   /// Adds sums to row sums, and to blocks of the matrix unless `blocks` is null.
   void (*scatter)(const double* sums, const SimplexPlaces<D>*, Index count, double* rows,
                   double* blocks);
   /// Adds sums without a Hessian to row sums, the trace to the first number. Null in the plane.
   void (*scatter_gradients)(const double* sums, const SimplexPlaces<D>*, Index count, double* rows);
-  /// Copies rows of blocks that lie one after the other to where each belongs in a matrix.
-  /// offsets: of the matrix' rows, in blocks.
+  /// Copies contiguous rows of blocks to their places in a matrix. offsets: of the matrix rows, in
+  /// blocks.
   void (*write_rows)(const double* entries, const Index* rows, const Index* offsets, Index count,
                      double* values);
 };
 
-/// The innermost loops of the variational form over triangles, four at a time, in machine code for
-/// the processor at hand.
+/// The innermost loops of the variational form over triangles, four at a time, in versions for
+/// different instruction sets.
 ///
 /// Equations: for a triangle (a, b, c), u = x_b - x_a, v = x_c - x_a, d = u x v (or its regularised
 /// chi(d)) and a target's form N = ab |u|^2 + ac |v|^2 + bc |v - u|^2,

@@ -8,8 +8,8 @@
 #include "core/vcv/sphere/volume_vcvs.h"
 #include "core/vcv/stencil_functionals.h"
 
-/// The paper's operator at one node, step by step: what PointwiseWinslow solves for at all of them,
-/// and what an inspection of a node shows.
+/// The paper's operator at one node, step by step, for PointwiseWinslow and for the inspection of
+/// nodes.
 namespace winslow {
 
 /// Columns of the nodal Jacobian: the area-weighted mean, over the VCV's triangles, of the gradient
@@ -23,7 +23,7 @@ struct WinslowCoefficients {
   double alpha = 1, beta = 0, gamma = 1;
 };
 
-/// What one row of the operator amounts to, in the plane or in space.
+/// The value of one row of the operator, in the plane or in space.
 template <int D>
 struct NodalRowOf {
   Vec<D> residual = Vec<D>::Zero();  ///< sum_k w_k (r_k - r_0)
@@ -31,12 +31,14 @@ struct NodalRowOf {
   double absolute_sum = 0;
   double mean_edge = 0;  ///< physical, units of the mesh
 
-  /// Distance by which the node alone would move, its neighbours held, over the mean edge.
+  /// Distance by which the node alone would move, with its neighbours held, divided by the mean
+  /// edge length.
   double scaled() const {
     const double size = absolute_sum * mean_edge;
     return size > 0 ? residual.norm() / size : residual.norm();
   }
-  /// Rows are scaled to a diagonal near one: w carries the square of the local size otherwise.
+  /// Scales rows to a diagonal near one; without it, w is proportional to the square of the local
+  /// size.
   double scale() const { return absolute_sum > 0 ? 1 / absolute_sum : 1; }
   /// The smallest of the weights over their mean magnitude: 1 where all are equal.
   double smallest_weight(std::span<const double> weights) const {
@@ -59,7 +61,7 @@ inline NodalGradient nodal_gradient(const Coordinates& x, Index node,
   return g;
 }
 
-/// Where the nodal Jacobian vanishes: those of the Laplacian.
+/// Coefficients; those of the Laplacian if the nodal Jacobian vanishes.
 inline WinslowCoefficients winslow_coefficients(const NodalGradient& g) {
   const double alpha = g.ry.squaredNorm();
   const double gamma = g.rx.squaredNorm();
@@ -89,8 +91,8 @@ NodalRowOf<D> evaluate_row(const Coordinates& x, Index node, std::span<const Ind
   return row;
 }
 
-/// The nine numbers per neighbour to which a VCV of a volume mesh reduces. With r_0 the node and
-/// r_k its neighbours,
+/// The nine numbers per neighbour that represent a VCV of a volume mesh in the operator. With r_0
+/// the node and r_k its neighbours,
 ///   r_x = sum_k dx_k (r_k - r_0)  and so on
 /// is the volume-weighted mean of the VCV tetrahedra's gradients (Green-Gauss over the VCV), and
 ///   w_k = K_xx lxx_k + K_yy lyy_k + K_zz lzz_k + K_xy lxy_k + K_yz lyz_k + K_zx lzx_k
@@ -100,13 +102,14 @@ struct VolumeFunctional {
   double lxx, lyy, lzz, lxy, lyz, lzx;
 };
 
-/// Functionals of one VCV with the node at the origin. points: of the vertices of its link. out:
-/// #vertices. Throws NumericError if one of its tetrahedra has no positive volume.
+/// Functionals of one VCV with the node at the origin. points: positions of the vertices of its
+/// link. out: #vertices. Throws NumericError if the volume of one of its tetrahedra is not
+/// positive.
 void compute_functionals(const SphereLink& link, std::span<const Vec3> points,
                          std::span<VolumeFunctional> out);
 
 /// Functionals of all VCVs: rows as long as those of Topology::neighbour_rows(), and zero for nodes
-/// of the boundary. 72 bytes for each neighbour: what every evaluation of the operator reads.
+/// of the boundary. Every evaluation of the operator reads them: 72 bytes for each neighbour.
 class VolumeFunctionals {
  public:
   /// threads: 0 for all cores; no result depends on it.
@@ -127,7 +130,7 @@ class VolumeFunctionals {
 ///   alpha_1 r_xx + alpha_2 r_yy + alpha_3 r_zz + 2 (beta_1 r_xy + beta_2 r_yz + beta_3 r_xz) = 0,
 ///
 /// K = [alpha_1 beta_1 beta_3; beta_1 alpha_2 beta_2; beta_3 beta_2 alpha_3] = adj(G^T G), G =
-/// [r_x r_y r_z], divided by a third of its trace. Where that vanishes: those of the Laplacian.
+/// [r_x r_y r_z], divided by a third of its trace; those of the Laplacian if the trace vanishes.
 Eigen::Matrix3d winslow_tensor(const Eigen::Matrix3d& gradient);
 
 /// Weight of one neighbour.
@@ -136,12 +139,12 @@ inline double winslow_weight(const Eigen::Matrix3d& k, const VolumeFunctional& f
          k(2, 0) * f.lzx;
 }
 
-/// What the paper's operator is made of in the plane (D = 2) and in space (D = 3): all that
-/// PointwiseForm<D> knows of the dimension.
+/// The parts of the paper's operator in the plane (D = 2) and in space (D = 3): all code of
+/// PointwiseForm<D> that depends on the dimension.
 ///
-/// A row's weights w_k = (coefficients) . (flux functionals of neighbour k) depend on the mesh by
-/// the nodal gradient G = [r_x r_y (r_z)] alone, so that the derivative of sum_k w_k (r_k - r_0)
-/// beyond the one with frozen weights is
+/// A row's weights w_k = (coefficients) . (flux functionals of neighbour k) depend on the mesh only
+/// through the nodal gradient G = [r_x r_y (r_z)]. So the derivative of sum_k w_k (r_k - r_0),
+/// without the part with frozen weights, is
 ///
 ///   sum_i B_i dG_i,   B_i = (sum over components c of F_c (dc'/dG_i)^T - R (dm/dG_i)^T) / m,
 ///
@@ -188,15 +191,15 @@ struct StencilOperator<3> {
   static std::array<Matrix, 3> slopes(const Matrix& g, const Fluxes& flux, const Vec3& residual);
 };
 
-/// Pattern of the systems of some nodes of a mesh: row i is node i of them and those of its
-/// neighbours that are among them.
+/// Matrix pattern for some nodes of a mesh: row i has entries for node i of the list and for its
+/// neighbours in the list.
 struct NodePattern {
   /// nodes: ascending.
   NodePattern(const Topology& topology, std::span<const Index> nodes);
 
   std::shared_ptr<const SparsityPattern> pattern;
   std::vector<Index> row_of_node;  ///< #nodes, -1 for nodes without a row
-  /// For each entry of Topology::neighbour_rows(): where its matrix entry lies, -1 if there is
+  /// For each entry of Topology::neighbour_rows(): the index of its matrix entry, -1 if there is
   /// none.
   std::vector<Index> entry_of_neighbour;
 };

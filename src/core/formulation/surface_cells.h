@@ -5,11 +5,11 @@
 #include "core/linear/sparse_system.h"
 #include "core/problem/node_unknowns.h"
 
-/// The triangles of a surface mesh laid flat, for the loops over triangles of the plane.
+/// Maps the triangles of a surface mesh into the plane, for the loops over plane triangles.
 namespace winslow {
 
-/// Memory for what an assembly sums up, kept from one to the next: to get it anew takes about as
-/// long as the sums.
+/// Memory for the sums of an assembly, kept for the next one: allocating it takes about as long as
+/// computing the sums.
 class KeptMemory {
  public:
   explicit KeptMemory(std::size_t numbers) : numbers_(numbers) {}
@@ -24,26 +24,25 @@ class KeptMemory {
   std::unique_ptr<double[]> kept_;
 };
 
-/// What depends on the connectivity alone, and on which nodes move.
+/// Data that depend only on the connectivity and the moving nodes.
 struct SurfaceStructure {
   SurfaceStructure(const NodeUnknowns& nodes, const std::vector<std::array<Index, 3>>& cells);
 
   std::vector<std::array<Index, 3>> cells;  ///< nodes
-  std::vector<Index> element;               ///< that each cell is of
+  std::vector<Index> element;               ///< element of each cell
   std::vector<Index> row_of_node;           ///< -1 for nodes without unknowns
-  CompressedRows corners;                   ///< of each row: 3 * cell + corner, ascending
+  CompressedRows corners;                   ///< for each row: 3 * cell + corner, ascending
   std::shared_ptr<const SparsityPattern> pattern;
-  /// Of each corner (3 * cell + corner) and each of the cell's nodes, where the row of the corner
-  /// has its entry for that node; -1 where there is none.
+  /// For each corner (3 * cell + corner) and each node of the cell: the index of that node's entry
+  /// in the row of the corner; -1 if there is none.
   std::vector<std::array<Index, 3>> entries;
-  /// Rows of parts of the surface no node of which is held: of a sphere, say, which may turn as a
-  /// whole.
+  /// Rows of parts of the surface without a fixed node, e.g. a sphere, which may rotate as a whole.
   std::vector<bool> loose;
-  std::vector<Index> numbers;          ///< 0, 1, ...: all cells; three for each, its corners
+  std::vector<Index> numbers;          ///< 0, 1, ...: three for each cell, one per corner
   std::shared_ptr<KeptMemory> memory;  ///< for the sums of all cells: see SurfaceWinslow::CellSums
 };
 
-/// Two directions of the plane that a triangle is laid into, and the normal.
+/// The plane into which a triangle is mapped: two directions and the normal.
 struct CellPlane {
   Vec3 e1{1, 0, 0}, e2{0, 1, 0}, normal{0, 0, 1};
 
@@ -53,21 +52,21 @@ struct CellPlane {
 /// The plane of a triangle with these edges from its first corner, on the side of a reference
 /// normal.
 CellPlane own_plane(const Vec3& u, const Vec3& v, const Vec3& reference);
-/// Twice the area of the triangle, as it lies in a plane: negative if it shows the other side.
+/// Twice the area of the triangle projected to a plane: negative if it is inverted there.
 double determinant_in(const CellPlane& plane, const Vec3& u, const Vec3& v);
 
-/// All cells of a mesh laid flat.
+/// All cells of a mesh mapped into planes.
 struct FlatCells {
-  /// Each into its own plane, on the side of the reference normal (#elements) of its element.
+  /// Each in its own plane, on the side of the reference normal (#elements) of its element.
   static FlatCells in_own_planes(const SurfaceStructure& structure, const Coordinates& x,
                                  std::span<const Vec3> normals, int threads);
-  /// Each seen against the reference normal of its element.
+  /// Each projected along the reference normal of its element.
   static FlatCells against(const SurfaceStructure& structure, const Coordinates& x,
                            std::span<const Vec3> normals, int threads);
 
   double determinant(std::size_t cell) const;
 
-  std::vector<double> x;  ///< of each cell 3 points of the plane, the first at the origin
+  std::vector<double> x;  ///< for each cell 3 points of the plane, the first at the origin
   std::vector<CellPlane> planes;
 };
 

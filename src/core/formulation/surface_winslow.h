@@ -7,13 +7,13 @@
 namespace winslow {
 
 /// The variational form on a surface mesh whose nodes stay on their surface: the energy of the
-/// plane (SimplexWinslow<2>), each triangle laid flat into its own plane,
+/// plane (SimplexWinslow<2>), each triangle mapped isometrically into its own plane,
 ///
 ///   E = sum_t w_t psi(f_t),   f_t = N_t / (2 d_t),   d_t = |(b - a) x (c - a)|,
 ///
-/// N_t by the lengths of its edges in space; infinite if a triangle is turned over by its
-/// reference normal (ElementNormals, is_turned_over()). So f_t does not depend on how a triangle
-/// lies in space, and on a surface that is plane this is the form of the plane.
+/// with N_t from the edge lengths in space; infinite if a triangle is turned over relative to its
+/// reference normal (ElementNormals, is_turned_over()). So f_t does not depend on the orientation
+/// of a triangle in space, and on a plane surface this is the plane form.
 ///
 /// The unknowns of a node are its two (on a feature line: one) directions in the tangent plane,
 /// x_i(u) = foot(x_i + Q_i u). With B_t the two directions of a triangle's plane, n_t its normal,
@@ -24,18 +24,18 @@ namespace winslow {
 ///                   + [i = j] sum_kl (dE/dx_i . bend_kl),
 ///   z_tij = w psi'(f) (L_ij - f (c_i . c_j) / d) / d,
 ///
-/// z by what moves of its nodes at right angles to a triangle do to its edges and area (L the
-/// target's graph Laplacian, c_i the edge across from node i). They are exact, so that Newton's
+/// where z is the effect of normal displacements of the nodes on a triangle's edges and area (L the
+/// target's graph Laplacian, c_i the edge opposite node i). The derivatives are exact, so Newton's
 /// method converges quadratically.
 ///
-/// Untangling sees each triangle against its reference normal instead, held for a step
-/// (Regularisation::normals): there determinants have a sign.
+/// Untangling instead projects each triangle along its reference normal, constant during a step
+/// (Regularisation::normals), so that determinants have a sign.
 class SurfaceWinslow final : public TargetForm<2> {
  public:
   /// See SimplexWinslow::Pattern.
   struct Pattern {
-    /// classes: with element normals; every node that moves slides. targets: their cells count, and
-    /// the order of these. Throws UsageError for nodes that are free or prescribed.
+    /// classes: with element normals; every node that moves slides. targets: only their cells and
+    /// the order of these matter. Throws UsageError for nodes that are free or prescribed.
     Pattern(std::shared_ptr<const NodeClasses> classes, const Targets& targets, int threads);
 
     NodeUnknowns nodes;
@@ -48,7 +48,7 @@ class SurfaceWinslow final : public TargetForm<2> {
   SurfaceWinslow(std::shared_ptr<const NodeClasses> classes, std::shared_ptr<const Targets> targets,
                  const PenaltyOptions& penalty, int threads)
       : SurfaceWinslow(Pattern(std::move(classes), *targets, threads), targets, penalty) {}
-  /// targets: of the cells that the pattern was made of, in their order.
+  /// targets: of the cells of the pattern, in the same order.
   SurfaceWinslow(const Pattern& pattern, std::shared_ptr<const Targets> targets,
                  const PenaltyOptions& penalty)
       : TargetForm(pattern.nodes, std::move(targets), penalty), structure_(pattern.structure) {}
@@ -73,7 +73,7 @@ class SurfaceWinslow final : public TargetForm<2> {
     return std::make_shared<SurfaceWinslow>(*this);
   }
   std::vector<Vec3> normals(const Coordinates& x) const;
-  /// Each in its own plane, with a regularisation against the normals that this holds.
+  /// Maps each into its own plane; with a regularisation, along the normals in it.
   FlatCells lay_flat(const Coordinates& x, const Regularisation* regularisation) const;
   distortion::SimplexData data(const FlatCells& cells, const Regularisation* regularisation) const {
     return TargetForm::data(cells.x.data(), structure_->numbers.data(), regularisation);
@@ -81,7 +81,7 @@ class SurfaceWinslow final : public TargetForm<2> {
   double energy_of(const Coordinates& x, const Regularisation* regularisation) const override;
   std::vector<double> determinants(const Coordinates& x, Regularisation* held) const override;
   std::vector<Foot> feet(const Coordinates& x) const;
-  /// For each cell, whether it shows the wrong side.
+  /// For each cell, whether it is turned over.
   std::vector<bool> turned_over(const Coordinates& x) const;
   bool turned_over(std::size_t cell, const Coordinates& x) const;
   void add_nodes_that_turn(std::size_t cell, const Coordinates& x, const Coordinates& there,

@@ -14,12 +14,11 @@ namespace winslow {
 
 /// Metric of a target triangle over its two edges m1, m2 from the corner: symmetric, determinant 1.
 /// It is the inverse of their Gram matrix, scaled. Two triangles are similar if their metrics are
-/// the same; the distance between metrics is twice the logarithm of how much longer than wide one
-/// triangle is in the other's shape.
+/// the same; the distance between metrics is twice the logarithm of s1 / s2, see stretch_between().
 struct TargetMetric {
   double a11 = 0, a12 = 0, a22 = 0;
 
-  /// Of edges in space as they lie in their own plane.
+  /// For edges in space (D = 3): in their own plane.
   template <int D>
   static TargetMetric of(const Vec<D>& m1, const Vec<D>& m2) {
     double det = 0;
@@ -59,7 +58,7 @@ inline double stretch_between(const TargetMetric& a, const TargetMetric& b) {
 inline TargetMetric between(const TargetMetric& a, const TargetMetric& b, double share) {
   const double way = stretch_between(a, b);
   TargetMetric metric;
-  constexpr double short_way = 1e-4;  // below it the sines are their arguments, to round-off
+  constexpr double short_way = 1e-4;  // below it sinh(t) = t to round-off
   if (way < short_way) return metric.add(1 - share, a).add(share, b).normalized();
   metric.add(std::sinh((1 - share) * way) / std::sinh(way), a);
   metric.add(std::sinh(share * way) / std::sinh(way), b);
@@ -72,8 +71,8 @@ using Edges3 = Eigen::Matrix3d;
 /// Metric of a target tetrahedron over its three edges: the inverse of their Gram matrix, scaled to
 /// determinant 1. Two tetrahedra are similar if their metrics are the same.
 inline Eigen::Matrix3d volume_metric(const Edges3& edges) {
-  // By the cofactors of the edges: the determinant of the metric itself is all cancellation where
-  // the tetrahedron is flat.
+  // Uses the cofactors of the edges: the determinant of the metric itself suffers from cancellation
+  // if the tetrahedron is flat.
   Eigen::Matrix3d cofactors;
   for (int k = 0; k < 3; ++k)
     cofactors.row(k) = edges.col((k + 1) % 3).cross(edges.col((k + 2) % 3));
@@ -81,8 +80,8 @@ inline Eigen::Matrix3d volume_metric(const Edges3& edges) {
   return cofactors * cofactors.transpose() / (root * root * root * root);
 }
 
-/// Whether a corner is right-handed and not so flat that its metric is all round-off: of a flatter
-/// one the shape says nothing. That of a tetrahedron 10 million times as long as high.
+/// Whether a corner is right-handed and not so flat that its metric is only round-off. The limit is
+/// a tetrahedron 10 million times as long as high.
 inline bool has_metric(const Edges3& edges) {
   constexpr double flattest = 1e-7;
   const double lengths = edges.col(0).norm() * edges.col(1).norm() * edges.col(2).norm();
@@ -111,7 +110,7 @@ const std::vector<Eigen::Matrix3d>& regular_metrics(ElementType type);
 /// The same of edge_tetrahedra().
 const std::vector<Eigen::Matrix3d>& regular_edge_metrics(ElementType type);
 
-/// How one metric lies in another's eyes: a = L L^T, and L^-1 b L^-T = V diag(values) V^T.
+/// Simultaneous decomposition of two metrics: a = L L^T, and L^-1 b L^-T = V diag(values) V^T.
 struct RelativeMetric {
   Eigen::Matrix3d lower, vectors;
   Vec3 values;  ///< ascending; squares of the singular values of the map between the shapes
@@ -135,21 +134,20 @@ struct RelativeMetric {
   }
 };
 
-/// Logarithm of how much longer than wide one shape is in the other's.
+/// Logarithm of the aspect ratio of the linear map between the two shapes.
 inline double stretch_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   return RelativeMetric(a, b).stretch();
 }
 
-/// Gives targets of single corners the edge lengths that the corner has in a mesh. Then only its
-/// angles count. Which edges that are depends on the element:
+/// Gives targets of single corners the edge lengths that the corner has in a mesh, so that only its
+/// angles count. The edges depend on the element:
 ///
 /// - quadrilateral: both edges of a corner; hexahedron: all three;
 /// - prism: the edge along its height; the two edges of the triangle take their mean length;
-/// - edge_tetrahedra() of these: the edges that would meet there at right angles, one of which
-/// starts
-///   at the other end of the edge.
+/// - edge_tetrahedra() of these: the edges that would meet there at right angles; one of them
+///   starts at the other end of the edge.
 ///
-/// Targets of triangles and tetrahedra stay, since those stand for the whole element. x:
+/// Targets of triangles and tetrahedra stay unchanged, since they represent the whole element. x:
 /// the nodes, in space also for D = 2 (surface meshes).
 template <int D, int S>
 CellTargets<D> with_corner_lengths(CellTargets<D> targets, const Points<S>& x);

@@ -9,8 +9,8 @@ namespace winslow {
 template <int D>
 class ShapePath final : public TargetPath {
  public:
-  /// end: with the targets that are wanted. from: a valid mesh (#nodes by S, triangles in space
-  /// too). threads: 0 for all cores.
+  /// end: the form with the wanted targets. from: a valid mesh (#nodes by S; S = 3 also for
+  /// triangles in space). threads: 0 for all cores.
   template <int S>
   ShapePath(std::shared_ptr<const TargetForm<D>> end, const Points<S>& from, int threads);
   std::shared_ptr<const VariationalForm> at_share(double share) const override {
@@ -23,7 +23,7 @@ class ShapePath final : public TargetPath {
 
   std::shared_ptr<const TargetForm<D>> end_;
   int threads_;
-  std::vector<Metric> own_;  // of each cell of the form, in its order
+  std::vector<Metric> own_;  // for each cell of the form, in its order
 };
 
 }  // namespace winslow

@@ -12,7 +12,7 @@ namespace winslow {
 /// Shape of psi.
 struct PenaltyOptions {
   double exponent = 8;  ///< p >= 1
-  double knee = 1.78;   ///< distortion f from which the power counts, > 1; 0: psi(f) = f^p
+  double knee = 1.78;   ///< distortion f from which the power takes effect, > 1; 0: psi(f) = f^p
   double bound = 0;     ///< if positive psi(f) = f / (1 - f / bound), infinite from the bound on
 
   bool operator==(const PenaltyOptions&) const = default;
@@ -55,20 +55,21 @@ class PenaltyFunction {
 
 class TargetPath;
 
-/// The variational form of either dimension, as runs know it.
+/// The variational form of either dimension: the interface for runs.
 class VariationalForm : public NodeProblem<UntanglingProblem> {
  public:
   const PenaltyOptions& penalty() const { return penalty_; }
-  /// The same with another penalty. What depends on the connectivity is shared; so are the targets.
+  /// The same with another penalty. The targets and the data that depend on the connectivity are
+  /// shared.
   virtual std::shared_ptr<const VariationalForm> with_penalty(
       const PenaltyOptions& penalty) const = 0;
-  /// The same with targets for which only angles count at right-angled corners of quadrilaterals
-  /// and hexahedra, and at those of prisms all but the ratio of height to triangle: their edges are
-  /// as long as those at x.
+  /// The same with the edge lengths at x in the targets of right-angled corners. Then only the
+  /// angles count in quadrilaterals and hexahedra; in prisms all but the ratio of height to
+  /// triangle.
   ///
-  /// Of a right-angled corner f is then 1 / sin in the plane, and in space the -2/3rd power of the
-  /// scaled Jacobian, at x itself; and no less than that anywhere else (the mean of squares and
-  /// that of logarithms). So what lowers the largest f from x on raises the smallest of these.
+  /// At x, f of a right-angled corner is then 1 / sin in the plane, and the -2/3rd power of the
+  /// scaled Jacobian in space; elsewhere f is at least as large (the mean of squares and that of
+  /// logarithms). So a decrease of the largest f from x raises the smallest of these.
   virtual std::shared_ptr<const VariationalForm> with_corner_lengths(
       const Coordinates& x) const = 0;
   /// Largest f of any cell; infinite if one is inverted.
@@ -87,9 +88,9 @@ class VariationalForm : public NodeProblem<UntanglingProblem> {
   PenaltyOptions penalty_;
 };
 
-/// A variational form over the targets of triangles (D = 2) or tetrahedra (D = 3), as far as it is
-/// the same wherever these lie. What derives from it knows where the corners of the cells are, and
-/// how sums over cells become rows of the unknowns.
+/// The common part of variational forms over targets of triangles (D = 2) or tetrahedra (D = 3), in
+/// the plane, in space or on surfaces. Derived classes compute the corners of the cells and turn
+/// sums over cells into rows of the unknowns.
 template <int D>
 class TargetForm : public VariationalForm {
  public:
@@ -134,11 +135,11 @@ class TargetForm : public VariationalForm {
   virtual Linearisation assemble(const Coordinates& x, const Regularisation* regularisation,
                                  bool projected, SparseMatrix& hessian,
                                  std::span<double> residual) const = 0;
-  /// Of all cells. held: gets what else a regularisation holds, and the determinants are as it is
-  /// to see them; null: as the energy sees them.
+  /// Determinants of all cells. held: receives the other data of a regularisation, and the
+  /// determinants are those used with it; null: the determinants are those of the energy.
   virtual std::vector<double> determinants(const Coordinates& x, Regularisation* held) const = 0;
 
-  /// What the kernel reads. points, nodes: of all cells.
+  /// Input of the kernel. points, nodes: of all cells.
   distortion::SimplexData data(const double* points, const Index* nodes,
                                const Regularisation* regularisation) const;
   /// The energy of all cells.
@@ -159,11 +160,11 @@ class TargetForm : public VariationalForm {
   }
   const distortion::SimplexKernel<D>& kernel() const { return kernel_; }
 
-  /// For each row (#nodes with unknowns) whether it is held where its node slides; empty: none is.
+  /// For each row (#nodes with unknowns) whether its sliding node is held; empty: none is.
   const std::vector<bool>& stuck() const { return stuck_; }
-  /// The same with false in place of nothing.
+  /// The same, with false for every row instead of an empty vector.
   std::vector<bool> stuck_rows() const;
-  /// The same problem with these rows held; null if they are no more than those of this one.
+  /// The same problem with these rows held; null if this problem already holds them all.
   std::shared_ptr<const EnergyProblem> holding(std::vector<bool> stuck) const;
 
  private:
@@ -175,10 +176,9 @@ class TargetForm : public VariationalForm {
 extern template class TargetForm<2>;
 extern template class TargetForm<3>;
 
-/// Targets on the way from the shapes that the cells of a mesh have to those that are wanted: on
-/// the geodesic between their metrics. With its own shapes for targets a mesh is the exact minimum
-/// of the energy, whatever it looks like. So a path of minima begins at any valid mesh, and nothing
-/// has to be relaxed before it.
+/// Targets between the shapes of a mesh and the wanted ones: on the geodesic between their metrics.
+/// With its own shapes as targets every valid mesh is an exact minimum of the energy. So a path of
+/// minima can begin at any valid mesh, without a relaxation before it.
 class TargetPath {
  public:
   virtual ~TargetPath() = default;

@@ -15,37 +15,36 @@ namespace winslow {
 ///
 /// where J_t maps target t linearly to its physical triangle or tetrahedron (CellTargets). f is 1
 /// for a perfect match and grows to infinity where a cell degenerates: a barrier against inversion.
-/// The first part of psi is Winslow's own functional (in space the mean ratio, which unlike
-/// Winslow's does not depend on size) and looks after the mean; the second weighs the worst cells,
-/// those with f near the knee and beyond. f does not depend on the size of either cell.
+/// The first term of psi is Winslow's own functional (in space the mean ratio, which unlike
+/// Winslow's does not depend on size) and controls the mean quality. The second term controls the
+/// worst cells, with f near the knee and beyond. f does not depend on the size of either cell.
 ///
-/// The cells of UntanglingProblem are those of the targets. Residual norms are of |R_i| over the
-/// mean of the diagonal of node i's Hessian block and over its mean edge length, like the pointwise
-/// form's.
+/// The cells of UntanglingProblem are those of the targets. Residual norms are of |R_i| divided by
+/// the mean diagonal entry of node i's Hessian block and by its mean edge length, as in the
+/// pointwise form.
 template <int D>
 class SimplexWinslow final : public TargetForm<D> {
  public:
   using Targets = CellTargets<D>;
 
-  /// What comes from the connectivity and from which nodes move: the numbers of the unknowns, the
-  /// pattern of the matrices, the order of the cells. Forms with other targets of the same cells
-  /// share it, and with it what a linear solver has worked out for the pattern.
+  /// Data that depend only on the connectivity and the moving nodes: the numbering of the unknowns,
+  /// the pattern of the matrices, the order of the cells. Forms with other targets of the same
+  /// cells share it, so a linear solver can reuse its work on the pattern.
   struct Pattern {
-    /// targets: their cells count, and the order of these.
+    /// targets: only their cells and the order of these matter.
     Pattern(std::shared_ptr<const NodeClasses> classes, const Targets& targets, int threads);
 
     NodeUnknowns nodes;
     std::shared_ptr<const SimplexStructure<D>> structure;
   };
 
-  /// classes: which nodes move; those that slide have the geometry of their classes. targets: of
-  /// all cells with a node that moves. threads: 0 for all cores; no result depends on it. Throws
-  /// UsageError for nodes of the boundary that are free.
+  /// classes: which nodes move, with the geometry of those that slide. targets: of all cells with a
+  /// moving node. threads: 0 for all cores; no result depends on it. Throws UsageError for free
+  /// boundary nodes.
   SimplexWinslow(std::shared_ptr<const NodeClasses> classes, const Targets& targets,
                  const PenaltyOptions& penalty, int threads)
       : SimplexWinslow(Pattern(std::move(classes), targets, threads), targets, penalty) {}
-  /// targets: of the cells that the pattern was made of, in their order. shapes() has an order of
-  /// the form's own.
+  /// targets: of the cells of the pattern, in the same order. shapes() has the form's own order.
   SimplexWinslow(const Pattern& pattern, const Targets& targets, const PenaltyOptions& penalty);
 
   ResidualNorms residual(const Coordinates& x, std::span<double> out) const override;
@@ -79,7 +78,7 @@ class SimplexWinslow final : public TargetForm<D> {
   std::shared_ptr<const SimplexStructure<D>> structure_;
 };
 
-/// Of plane meshes, and of volume meshes.
+/// For plane meshes, and for volume meshes.
 using VariationalWinslow = SimplexWinslow<2>;
 using VolumeWinslow = SimplexWinslow<3>;
 

@@ -11,13 +11,13 @@
 
 namespace winslow {
 
-/// Multigrid is a preconditioner, so half the memory traffic is worth more than the digits.
+/// Multigrid is only a preconditioner, so halving the memory traffic matters more than precision.
 using Real = float;
 
-/// Dense blocks of sparse matrices, their size known to the compiler.
+/// Dense blocks of sparse matrices, with a size known at compile time.
 
 /// Calls body with std::integral_constant<int, block>, for loops that the compiler unrolls. Throws
-/// UsageError for blocks larger than 3 by 3: there are no more unknowns to a node of a mesh.
+/// UsageError for blocks larger than 3 by 3: a node has at most three unknowns.
 template <typename Body>
 decltype(auto) with_block(int block, Body&& body) {
   switch (block) {
@@ -70,7 +70,8 @@ inline void multiply(const A* a, const X* x, Y* y) {
   }
 }
 
-/// Of a symmetric block; its lower triangle is read. NaN if the block is not finite.
+/// Smallest eigenvalue of a symmetric block; only its lower triangle is read. NaN if the block is
+/// not finite.
 template <int B>
 double smallest_eigenvalue(const Block<double, B>& a) {
   if constexpr (B == 1) return a(0, 0);

@@ -11,13 +11,15 @@
 
 namespace winslow {
 
-/// A sparse factorisation. Ordering and symbolic work are kept while pattern and block size stay.
+/// A sparse factorisation. Keeps the ordering and the symbolic factorisation while pattern and
+/// block size stay the same.
 class Factorisation {
  public:
   virtual ~Factorisation() = default;
-  /// "CHOLMOD supernodal Cholesky", say.
+  /// E.g. "CHOLMOD supernodal Cholesky".
   virtual std::string description() const = 0;
-  /// Throws NumericError (singular) or NotPositiveDefinite; then another matrix is wanted.
+  /// Throws NumericError (singular) or NotPositiveDefinite; then factorise() another matrix before
+  /// solve().
   virtual void factorise(const SparseMatrix& matrix) = 0;
   /// Solves with the last matrix. rhs, x: #scalar rows by columns, row after row.
   /// Throws NumericError if the solution is not finite.
@@ -27,37 +29,37 @@ class Factorisation {
 /// Sparse Cholesky, L L^T, of symmetric positive definite matrices.
 std::unique_ptr<Factorisation> make_cholesky();
 
-/// Sparse LU for matrices of about so many scalar rows: KLU for small ones, UMFPACK for large ones,
-/// as far as the build has them; else Eigen's.
+/// Sparse LU for matrices of about `rows` scalar rows: KLU for small ones, UMFPACK for large ones,
+/// if the build has them; otherwise Eigen's.
 std::unique_ptr<Factorisation> make_lu(Index rows);
 
-/// Whether a call of BLAS will find memory to work in. OpenBLAS takes a buffer of 128 MB at its
-/// first call and keeps it; where there is none to be had (a limit of the address space) it asks
-/// again and again, for ever. So ask before it does.
+/// Whether BLAS can allocate its work memory. OpenBLAS allocates a buffer of 128 MB at its first
+/// call and keeps it. If the allocation fails (a limit of the address space), OpenBLAS retries
+/// forever. So test the allocation before the first call.
 inline bool blas_has_memory() {
   static std::atomic<bool> had = false;
   constexpr std::size_t buffer = std::size_t{160} << 20;
   if (had) return true;
-  void* volatile const probe = std::malloc(buffer);  // volatile: the compiler may not leave it out
+  void* volatile const probe = std::malloc(buffer);  // volatile: prevents its elimination
   had = probe != nullptr;
   std::free(probe);
   return had;
 }
 
-/// Held while SuiteSparse calls BLAS. Debian's serial OpenBLAS hands its buffers out without a
-/// lock, so that two threads at once, each with a factorisation of its own, would get the same one
-/// and wrong numbers. Runs that go on at the same time take turns here.
+/// A lock for calls of BLAS by SuiteSparse. Debian's serial OpenBLAS hands out its buffers without
+/// a lock: two threads with separate factorisations could get the same buffer and wrong numbers. So
+/// concurrent runs take turns here.
 class BlasTurn {
  public:
-  /// used: false where no dense kernels are called: nothing is held then.
+  /// used: false if no dense kernels are called: then no lock is taken.
   explicit BlasTurn(bool used = true);
 
  private:
   std::unique_lock<std::mutex> lock_;
 };
 
-/// Expands block matrices into the compressed scalar columns that Eigen and SuiteSparse take. The
-/// structure is worked out once per pattern and block size.
+/// Expands block matrices into the compressed scalar columns of Eigen and SuiteSparse. The
+/// structure is computed once per pattern and block size.
 class EigenMatrix {
  public:
   enum class Part {
@@ -66,7 +68,7 @@ class EigenMatrix {
   };
   explicit EigenMatrix(Part part) : part_(part) {}
 
-  /// Returns true if the structure is a new one.
+  /// Returns true if the structure has changed.
   bool assign(const SparseMatrix& source);
   const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
 
@@ -81,7 +83,7 @@ class EigenMatrix {
   std::shared_ptr<const SparsityPattern> pattern_;
   std::size_t block_ = 0;
   Eigen::SparseMatrix<double> matrix_;
-  std::vector<std::size_t> first_slot_;  // all: where the upper left scalar of each block goes
+  std::vector<std::size_t> first_slot_;  // Part::all: position of each block's upper left scalar
 };
 
 }  // namespace winslow

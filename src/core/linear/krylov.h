@@ -4,8 +4,8 @@
 
 #include "core/linear/linear_solver.h"
 
-/// Krylov methods for one right-hand side: what the iterative solvers, and direct ones with an old
-/// factor, are made of.
+/// Krylov methods for one right-hand side, for iterative solvers and for direct solvers with the
+/// factor of an earlier matrix.
 namespace winslow {
 
 /// z = M^-1 r with a fixed linear M close to A; symmetric and positive definite for conjugate
@@ -19,9 +19,9 @@ struct KrylovOptions {
   int threads = 0;   ///< 0 for all cores; the result does not depend on it
 };
 
-/// Preconditioned conjugate gradients on a symmetric matrix; x: first guess, then solution. The
-/// residual returned is the true one. Throws NotPositiveDefinite on a direction of negative
-/// curvature, NumericError where the numbers are no longer finite.
+/// Preconditioned conjugate gradients on a symmetric matrix; x: initial guess on entry, solution on
+/// return. Returns the true residual. Throws NotPositiveDefinite on a direction of negative
+/// curvature, NumericError if a number is not finite.
 LinearResult conjugate_gradients(const SparseMatrix& matrix,
                                  const ApplyPreconditioner& precondition,
                                  const KrylovOptions& options, std::span<const double> b,
@@ -32,8 +32,8 @@ LinearResult conjugate_gradients(const SparseMatrix& matrix,
 LinearResult gmres(const SparseMatrix& matrix, const ApplyPreconditioner& precondition,
                    const KrylovOptions& options, std::span<const double> b, std::span<double> x);
 
-/// One of the two, by the symmetry of the matrix, for every right-hand side; rhs and x row after
-/// row as in LinearSolver::solve.
+/// Solves for every right-hand side by one of the two, depending on the symmetry of the matrix. rhs
+/// and x are stored by rows as in LinearSolver::solve.
 LinearResult krylov_solve(const SparseMatrix& matrix, const ApplyPreconditioner& precondition,
                           const KrylovOptions& options, std::span<const double> rhs, int columns,
                           std::span<double> x);

@@ -6,7 +6,7 @@
 
 #include "core/linear/sparse_system.h"
 
-/// The choice of a linear solver, as options have it:
+/// Options of the linear solver:
 ///
 ///     winslow::SmoothCommand smooth;
 ///     smooth.smooth.linear.solver = "direct";  // one of winslow::linear_solver_names()
@@ -14,9 +14,9 @@ namespace winslow {
 
 struct LinearOptions {
   std::string solver = "automatic";  ///< one of linear_solver_names()
-  /// Relative residual at which an iterative solver stops. The outer iteration corrects what is
-  /// left, so a loose one costs no accuracy: the converged mesh is the same. Newton's method on the
-  /// energy chooses its own, between 1e-2 and 1e-6 (or this one, if it is tighter still).
+  /// Relative residual at which an iterative solver stops. The outer iteration corrects the
+  /// remaining error, so a loose tolerance does not change the converged mesh. Newton's method on
+  /// the energy chooses its own tolerance, between 1e-2 and 1e-6 (or this one, if it is tighter).
   double tolerance = 1e-3;
   int max_iterations = 200;  ///< Gauss-Seidel sweeps or Krylov iterations per solve
   int restart = 30;          ///< Krylov vectors before GMRES restarts
@@ -28,40 +28,41 @@ struct LinearResult {
   int iterations = 0;            ///< 1 for a direct solve; else of the worst right-hand side
   double relative_residual = 0;  ///< |B - A X| / |B|, worst right-hand side
 
-  /// Takes over the worse of each, from another right-hand side. A NaN is the worst.
+  /// Merges the result for another right-hand side: keeps the larger of each value. NaN counts as
+  /// the largest.
   void worsen(const LinearResult& other);
 };
 
-/// Solves A X = B. First set_matrix, then solve as often as there are right-hand sides.
+/// Solves A X = B. Call set_matrix() first, then solve() any number of times.
 class LinearSolver {
  public:
   virtual ~LinearSolver() = default;
-  /// As asked for: one of linear_solver_names().
+  /// The requested solver: one of linear_solver_names().
   virtual std::string_view name() const = 0;
-  /// What is used in fact for the last matrix, for reports: "KLU sparse LU".
+  /// The method actually used for the last matrix, for reports: "KLU sparse LU".
   virtual std::string description() const = 0;
 
-  /// Factorises, or builds the preconditioner. What depends on the pattern and the block size alone
-  /// (orderings, symbolic factorisations) is kept for as long as the pattern object stays the same.
-  /// `matrix` is referred to until the next call.
+  /// Factorises, or builds the preconditioner. Data that depend only on the pattern and the block
+  /// size (orderings, symbolic factorisations) are kept as long as the pattern object stays the
+  /// same. The solver refers to `matrix` until the next call.
   ///
-  /// keep: leave the factor or preconditioner of the earlier matrix as it is, provided that there
-  /// is one for this pattern and block size; solve() then corrects it by conjugate gradients
+  /// keep: keep the factor or preconditioner of the earlier matrix, if there is one for this
+  /// pattern and block size; solve() then applies it as a preconditioner for conjugate gradients
   /// (symmetric) or GMRES on the new matrix.
   ///
   /// Throws NumericError for a singular matrix, NotPositiveDefinite for a symmetric one that is not
-  /// positive definite, UsageError for one that this solver does not take. After that it wants
-  /// another matrix before the next solve.
+  /// positive definite, UsageError for one that this solver does not support. After an exception,
+  /// call set_matrix() again before solve().
   virtual void set_matrix(const SparseMatrix& matrix, bool keep = false) = 0;
 
   /// rhs, x: #scalar rows by columns, row after row; x holds the first guess on entry, the solution
   /// on return. The result is the same at any number of threads. An iterative solver that runs out
   /// of iterations returns what it has: see LinearResult::relative_residual.
-  /// Throws NumericError or NotPositiveDefinite for what only shows here.
+  /// Throws NumericError or NotPositiveDefinite for problems that appear only here.
   virtual LinearResult solve(std::span<const double> rhs, int columns, std::span<double> x) = 0;
 
-  /// Relative residual at which later solves stop, in place of LinearOptions::tolerance. Factors
-  /// that belong to the matrix itself solve exactly whatever it is.
+  /// Relative residual at which later solves stop, replaces LinearOptions::tolerance. Has no effect
+  /// if the factors are those of the matrix itself: these solve exactly.
   virtual void set_tolerance(double relative_residual) = 0;
 };
 
@@ -69,7 +70,7 @@ class LinearSolver {
 std::vector<std::string> linear_solver_names();
 /// One line on each for help texts and tooltips.
 std::string_view linear_solver_summary(std::string_view name);
-/// True for those that take symmetric matrices only.
+/// True for solvers that require symmetric matrices.
 bool linear_solver_needs_symmetry(std::string_view name);
 /// Throws UsageError for an unknown name. threads: 0 for all cores.
 std::unique_ptr<LinearSolver> make_linear_solver(const LinearOptions& options, int threads = 0);

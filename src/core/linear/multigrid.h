@@ -6,14 +6,14 @@
 
 namespace winslow {
 
-/// Block Gauss-Seidel sweeps over a symmetric positive definite matrix, threaded: Gauss-Seidel
-/// within each run of parallel_block rows, Jacobi from run to run. With A = L + D + L^T + O, where
-/// L is the strictly lower part within runs and O what connects different runs,
+/// Threaded block Gauss-Seidel sweeps over a symmetric positive definite matrix: Gauss-Seidel
+/// within each run of parallel_block rows, Jacobi between runs. With A = L + D + L^T + O, where L
+/// is the strictly lower part within runs and O the coupling of different runs,
 ///
 ///   M = L + D C,
 ///
-/// C a diagonal that is 1 except where O outweighs D, chosen such that M + M^T - A is positive
-/// definite: the sweep then never diverges (A. Baker, R. Falgout, T. Kolev and U. Yang, SIAM J.
+/// where the diagonal C is 1 except where O outweighs D, such that M + M^T - A is positive
+/// definite. Then the sweep never diverges (A. Baker, R. Falgout, T. Kolev and U. Yang, SIAM J.
 /// Sci. Comput. 33, 2011).
 class GaussSeidel {
  public:
@@ -22,7 +22,7 @@ class GaussSeidel {
 
   /// x = M^-1 b, the forward sweep from x = 0, and r = b - A x.
   void forward(std::span<const Real> b, std::span<Real> x, std::span<Real> r, int threads) const;
-  /// x += M^-T (b - A x), the backward sweep. before: a copy of x as it comes in.
+  /// x += M^-T (b - A x), the backward sweep. before: a copy of x on entry.
   void backward(std::span<const Real> b, std::span<const Real> before, std::span<Real> x,
                 int threads) const;
 
@@ -52,16 +52,16 @@ class GaussSeidel {
   std::vector<Real> values_;
   std::vector<Real> inverse_;  // (D C)^-1, row by row
   std::vector<Real> excess_;   // C - 1, row by row
-  std::vector<Index> inside_;  // #rows by 2: first entry of a row within its run, and the end
+  std::vector<Index> inside_;  // #rows by 2: first and end entry of a row within its run
 };
 
 /// One W-cycle of algebraic multigrid by smoothed aggregation (P. Vanek, J. Mandel and M. Brezina,
 /// Computing 56, 1996) with block Gauss-Seidel smoothing, forward on the way down and backward on
-/// the way up, so that it is symmetric. The components of the constant vector are what the coarse
-/// levels represent exactly: the rigid translations of a mesh.
+/// the way up, so that it is symmetric. The coarse levels represent the constant vector of each
+/// component exactly: the rigid translations of a mesh.
 ///
 /// For symmetric positive definite matrices. The hierarchy of aggregates is kept while the pattern
-/// object stays, the values on it are rebuilt. In single precision. threads: 0 for all cores; no
+/// object stays the same; its values are rebuilt. In single precision. threads: 0 for all cores; no
 /// result depends on it.
 std::unique_ptr<Preconditioner> make_multigrid(int threads);
 

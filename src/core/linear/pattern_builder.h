@@ -5,10 +5,10 @@
 
 namespace winslow {
 
-/// A pattern of so many rows, worked out `block` rows at a time on several threads. begin_block()
-/// is called for each block of rows; what it returns is called as list(row, columns) for those in
-/// it, ascending, and fills the empty `columns` with the columns of the row, in any order, once
-/// each, the row itself among them.
+/// Builds a pattern of `rows` rows, `block` rows at a time on several threads. begin_block() is
+/// called for each block of rows and returns a function list(row, columns). This function is called
+/// for the rows of the block in ascending order. It fills the empty `columns` with the columns of
+/// the row, in any order, once each, including the row itself.
 template <typename BeginBlock>
 std::shared_ptr<SparsityPattern> build_pattern(Index rows, Index block, int threads,
                                                const BeginBlock& begin_block) {
@@ -47,8 +47,8 @@ std::shared_ptr<SparsityPattern> build_pattern(Index rows, Index block, int thre
   return pattern;
 }
 
-/// A pattern by the columns of each row, in any order and any number of times, the row itself among
-/// them.
+/// Builds a pattern from the columns of each row, in any order, duplicates allowed, including the
+/// row itself.
 inline std::shared_ptr<SparsityPattern> pattern_of(std::vector<std::vector<Index>> columns) {
   const auto list = [&](Index row, std::vector<Index>& out) {
     out.swap(columns[at(row)]);

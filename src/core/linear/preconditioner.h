@@ -11,34 +11,33 @@ namespace winslow {
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
-  /// "incomplete LU with threshold", say.
+  /// E.g. "incomplete LU with threshold".
   virtual std::string description() const = 0;
-  /// What depends on the pattern object and the block size alone is kept from call to call.
-  /// Throws NumericError or NotPositiveDefinite; then another matrix is wanted.
+  /// Keeps data that depend only on the pattern object and the block size from call to call. Throws
+  /// NumericError or NotPositiveDefinite; then call build() again before apply().
   virtual void build(const SparseMatrix& matrix) = 0;
   /// z = M^-1 r. r and z: #scalar rows, different arrays.
   virtual void apply(std::span<const double> r, std::span<double> z) = 0;
 };
 
-/// Incomplete Cholesky factorisation without fill, by blocks, of the parts of a matrix that lie
-/// within runs of parallel_block rows; what connects different runs is left out, so that runs are
-/// factorised and solved side by side. A pivot that is not safely positive is replaced by the block
-/// of the matrix itself. For symmetric positive definite matrices. threads: 0 for all cores.
+/// Incomplete block Cholesky factorisation without fill, within runs of parallel_block rows.
+/// Entries that couple different runs are dropped, so that runs are factorised and solved in
+/// parallel. A pivot that is not safely positive is replaced by the block of the matrix itself. For
+/// symmetric positive definite matrices. threads: 0 for all cores.
 std::unique_ptr<Preconditioner> make_incomplete_cholesky(int threads);
 
 /// Incomplete LU factorisation with threshold (ILUT), scalar, for matrices of any kind.
 std::unique_ptr<Preconditioner> make_incomplete_lu();
 
-/// A copy of a matrix with rows and columns in an order that is good to caches (see
-/// locality_ordering): mesh generators number nodes almost at random. The order is worked out once
-/// per pattern object.
+/// A copy of a matrix with rows and columns in a cache-friendly order (see locality_ordering): mesh
+/// generators number nodes almost at random. The order is computed once per pattern object.
 class ReorderedMatrix {
  public:
   void assign(const SparseMatrix& source, int threads);
   /// Its pattern object changes when, and only when, that of the source does.
   const SparseMatrix& matrix() const { return matrix_; }
 
-  /// One column of an array that is row after row in the order of the source.
+  /// Copies one column of an array, stored by rows in the order of the source, to the new order.
   void gather(std::span<const double> source, int columns, int column,
               std::span<double> vector) const;
   void scatter(std::span<const double> vector, int columns, int column,
@@ -49,8 +48,8 @@ class ReorderedMatrix {
 
   std::shared_ptr<const SparsityPattern> source_pattern_;
   SparseMatrix matrix_;
-  std::vector<Index> order_;         // source row of each row
-  std::vector<Index> source_entry_;  // of each entry
+  std::vector<Index> order_;         // source row of each new row
+  std::vector<Index> source_entry_;  // source entry of each new entry
 };
 
 }  // namespace winslow

@@ -13,13 +13,13 @@ struct Aggregates {
   Index count = 0;
 };
 
-/// Patches of rows and their neighbours, greedily in the order of the rows (P. Vanek, J. Mandel and
-/// M. Brezina, Computing 56, 1996, algorithm 5.1). strong: for each entry, whether it connects;
-/// empty for all. Rows that nothing connects belong to none.
+/// Forms patches of rows and their neighbours, greedily in the order of the rows (P. Vanek, J.
+/// Mandel and M. Brezina, Computing 56, 1996, algorithm 5.1). strong: for each entry, whether it
+/// connects; empty: all do. Rows without connections belong to none.
 Aggregates aggregate(const SparsityPattern& graph, std::span<const char> strong = {});
 
-/// Order in which rows that are close in the graph lie close in memory: patches of patches of
-/// patches, each contiguous. Element k is the row that comes k-th.
+/// Orders rows so that rows close in the graph are close in memory: hierarchical patches, each
+/// contiguous. Element k is the k-th row in the new order.
 std::vector<Index> locality_ordering(const SparsityPattern& graph);
 
 /// Interpolation of smoothed aggregation: from one value per aggregate to one per row,
@@ -28,8 +28,8 @@ std::vector<Index> locality_ordering(const SparsityPattern& graph);
 ///
 /// T constant on each aggregate, component by component, and F the matrix without its weak
 /// entries, which are lumped into its diagonal D so that F has the same null space of constants
-/// (P. Vanek, J. Mandel and M. Brezina, Computing 56, 1996). Aggregates and the choice of weak
-/// entries are those of the first matrix of a pattern; the values follow the matrix.
+/// (P. Vanek, J. Mandel and M. Brezina, Computing 56, 1996). Aggregates and weak entries are chosen
+/// by the first matrix of a pattern; the values are rebuilt for each matrix.
 class Prolongation {
  public:
   /// strength: entries with |A_ij|^2 <= strength^2 |A_ii| |A_jj| (Frobenius) are weak.
@@ -38,7 +38,7 @@ class Prolongation {
   /// Values for a matrix of the same pattern.
   void build(const SparseMatrix& matrix, int threads);
 
-  /// x += P coarse; then the same into copy.
+  /// x += P coarse; copies the result into `copy`.
   void prolong(std::span<const Real> coarse, std::span<Real> x, std::span<Real> copy,
                int threads) const;
   /// coarse = P^T r.
@@ -46,7 +46,7 @@ class Prolongation {
 
   Index coarse_rows() const { return static_cast<Index>(transposed_offsets_.size()) - 1; }
 
-  /// P^T A P. The pattern is worked out by the first call.
+  /// P^T A P. The first call computes the pattern.
   void galerkin(const SparseMatrix& matrix, SparseMatrix& coarse, int threads) const;
 
  private:
@@ -65,9 +65,10 @@ class Prolongation {
   Index rows_;
   std::vector<char> strong_;    // #entries of the matrix
   std::vector<Index> offsets_;  // #rows + 1
-  std::vector<Index> columns_;  // aggregates that reach a row
-  std::vector<Index> own_;      // #rows: entry of the row's own aggregate, -1
-  std::vector<Index> entry_;    // #entries of the matrix: where it adds to P, -1 if weak
+  std::vector<Index> columns_;  // aggregates that contribute to a row
+  std::vector<Index> own_;      // #rows: entry of the row's own aggregate, -1 for none
+  std::vector<Index>
+      entry_;  // #entries of the matrix: the entry of P to which it contributes, -1 if weak
   std::vector<Real> values_;
   std::vector<Index> transposed_offsets_;  // #aggregates + 1
   std::vector<Index> transposed_rows_, transposed_entries_;

@@ -15,7 +15,7 @@ struct SparsityPattern {
   std::vector<Index> diagonal;  ///< position of the diagonal entry of each row
 
   Index rows() const { return static_cast<Index>(offsets.size()) - 1; }
-  /// Position of the entry of a row in a column that it has.
+  /// Position of the entry of a row in a column; the entry must exist.
   Index find(Index row, Index column) const {
     const auto first = columns.begin() + offsets[at(row)];
     const auto last = columns.begin() + offsets[at(row) + 1];
@@ -23,14 +23,15 @@ struct SparsityPattern {
   }
 };
 
-/// A square matrix of dense blocks. The pattern is that of the blocks, so `block` unknowns belong
-/// to each of its rows (the displacement components of a node, say).
+/// A square matrix of dense blocks. The pattern is that of the blocks: each pattern row has `block`
+/// unknowns (e.g. the displacement components of a node).
 struct SparseMatrix {
   std::shared_ptr<const SparsityPattern> pattern;  ///< block rows
-  int block = 1;                                   ///< blocks are block by block
-  /// The matrix equals its transpose, value by value; the whole of it is stored all the same.
+  int block = 1;                                   ///< size of a block: block by block
+  /// The matrix equals its transpose exactly; both triangles are stored.
   bool symmetric = false;
-  /// Of a mesh in space: its factors fill in much more than those of a plane mesh as large.
+  /// True for a mesh in space: its factors have much more fill-in than those of a plane mesh of the
+  /// same size.
   bool in_space = false;
   /// #entries by block by block, row-major within a block: entry e, row r, column c of it lies at
   /// values[(e * block + r) * block + c].

@@ -6,15 +6,15 @@
 
 namespace winslow {
 
-/// Threads for a loop over about so many numbers, out of those that may be used: waking threads
+/// Number of threads for a loop over about `numbers` numbers, at most `threads`: waking threads
 /// takes as long as thirty thousand multiplications. No result depends on it (see parallel_for).
 inline int worthwhile(int threads, std::size_t numbers) {
   constexpr std::size_t least = 30'000;
   return numbers < least ? 1 : threads;
 }
 
-/// Calls solve_one(b, x) for each of several right-hand sides that lie row after row, on contiguous
-/// copies; x goes in as the first guess and comes out as the solution.
+/// Calls solve_one(b, x) for each of several right-hand sides, stored by rows, on contiguous
+/// copies. x is the initial guess on entry and the solution on return.
 template <typename SolveOne>
 void for_each_column(std::span<const double> rhs, int columns, std::span<double> x,
                      SolveOne&& solve_one) {
@@ -56,8 +56,9 @@ double multiply(const SparseMatrix& a, std::span<const double> x, std::span<doub
 double defect(const SparseMatrix& a, std::span<const double> b, std::span<const double> x,
               std::span<double> r, int threads);
 
-/// |B - A X| / |B| in the Euclidean norm, worst right-hand side; 0 where B is zero and met. rhs, x:
-/// #scalar rows by columns, row after row. NaN if x is not finite. threads: 0 for all cores.
+/// |B - A X| / |B| in the Euclidean norm, worst right-hand side; 0 if B and the residual are zero.
+/// rhs, x: #scalar rows by columns, row after row. NaN if x is not finite. threads: 0 for all
+/// cores.
 double relative_residual(const SparseMatrix& matrix, std::span<const double> rhs, int columns,
                          std::span<const double> x, int threads = 1);
 

@@ -16,8 +16,9 @@ std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordina
 
 /// Interpolates meshes between two meshes of a path of rigid bodies: one for every degree of
 /// rotation and every 2 % of a body's extent of translation, without the ends. bodies: the nodes of
-/// each. The motions place these nodes; every other node moves with the body that accounts for the
-/// largest share of its displacement. Invalid meshes are left out; empty if nothing moves.
+/// each. Rigid motions place these nodes. Every other node follows the body whose motion matches
+/// its own displacement best, in proportion to that match. Invalid meshes are left out; empty if
+/// nothing moves.
 std::vector<Coordinates> meshes_between(const Topology& topology,
                                         std::span<const std::vector<Index>> bodies,
                                         const Coordinates& from, const Coordinates& to);

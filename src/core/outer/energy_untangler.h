@@ -6,23 +6,23 @@
 
 namespace winslow {
 
-/// Where an untangling begins.
+/// The initial interior of an untangling.
 enum class Interior {
   as_given,
-  /// Harmonic within the boundary: the minimiser as the regularisation goes to infinity, whatever
-  /// the interior was.
+  /// Harmonic for the given boundary: the minimiser in the limit of infinite regularisation,
+  /// independent of the given interior.
   harmonic
 };
 
 /// Untangles by an energy with a regularised determinant in place of the barrier (Regularisation):
-/// Newton steps on the part of the Hessian that is positive semidefinite by construction, the
-/// regularisation chosen anew from the worst cells before each.
+/// Newton steps with the part of the Hessian that is positive semidefinite by construction. Before
+/// each step the regularisation is chosen from the worst cells.
 class EnergyUntangler final : public OuterSolver {
  public:
   /// linear_tolerance: relative residual of a linear solve, tightened to 1e-6. reference:
-  /// coordinates that say how large the cells are to be, e.g. the mesh before its boundary moved;
-  /// null: those that the untangling begins from. It and the linear solver outlive this. A
-  /// harmonic interior is the first step.
+  /// coordinates that give the sizes of the cells, e.g. the mesh before its boundary moved; null:
+  /// the initial mesh. It and the linear solver outlive this object. The first step computes a
+  /// harmonic interior if chosen.
   EnergyUntangler(std::shared_ptr<const UntanglingProblem> problem, LinearSolver& linear,
                   double linear_tolerance, const Coordinates* reference, Interior interior);
 
@@ -35,7 +35,7 @@ class EnergyUntangler final : public OuterSolver {
  private:
   double forcing() const;
   void measure_sizes(const Coordinates& x);
-  /// The present step, or the first one to come, is the one to the harmonic interior.
+  /// Whether the present or the coming first step computes the harmonic interior.
   bool harmonic_step() const { return interior_ == Interior::harmonic && record_.iteration <= 1; }
   void choose_regularisation(const Coordinates& x);
   void assess(const Coordinates& x);
@@ -49,7 +49,7 @@ class EnergyUntangler final : public OuterSolver {
   Interior interior_;
   std::vector<double> sizes_;  // of the cells
   Regularisation regularisation_;
-  double softness_ = 0;  // share of a cell's size by which its determinant is regularised
+  double softness_ = 0;  // regularisation of a cell's determinant as a share of its size
   Index least_inverted_ = 0;
   int last_progress_ = 0;  // iteration
   SparseMatrix hessian_;

@@ -6,17 +6,17 @@
 
 namespace winslow {
 
-/// Newton's method on equations without an energy, semismooth where negative weights are clipped.
+/// Newton's method on equations without an energy, semismooth if negative weights are clipped.
 ///
-/// Each step: the exact Jacobian; a line search that demands decrease of the root mean square of
-/// the scaled nodal residuals, the scales held at the values they have where the step begins (only
-/// then is the Newton direction one of descent). Once the mesh is valid the search starts below the
-/// exact largest valid step, so that no accepted step inverts an element. Where Newton's step would
-/// have to be cut very short, or the Jacobian is singular, the solution with frozen coefficients,
-/// damped as in PicardSolver, is tried in its place.
+/// Each step uses the exact Jacobian and a line search that requires a decrease of the root mean
+/// square of the scaled nodal residuals. The scales are constant during the step (only then is the
+/// Newton direction one of descent). Once the mesh is valid the search starts below the exact
+/// largest valid step, so that no accepted step inverts an element. If the Newton step would be
+/// very short, or the Jacobian is singular, the step to the solution with frozen coefficients,
+/// damped as in PicardSolver, is tried instead.
 ///
-/// Clip::automatic: clipped while the mesh is tangled. A tangled mesh often comes untangled, but
-/// not surely; PicardSolver is the untangler.
+/// Clip::automatic: clipped while the mesh is tangled. This often untangles a mesh, but not
+/// reliably; use PicardSolver for untangling.
 class EquationNewton final : public SteadySolver {
  public:
   /// The linear solver outlives this.
@@ -30,8 +30,8 @@ class EquationNewton final : public SteadySolver {
   IterationRecord start(const Coordinates& x) override;
   IterationRecord step(Coordinates& x) override;
   bool converged() const override;
-  /// True if the last step found no way down, or none but into the limit of validity: mostly the
-  /// equations have no valid solution there. It left the mesh as it was.
+  /// True if the last step found no descent, or only towards the limit of validity: usually the
+  /// equations then have no valid solution. The mesh is left unchanged.
   bool stalled() const override { return stalled_; }
 
   void reject() override { linearised_.reset(); }
@@ -57,7 +57,7 @@ class EquationNewton final : public SteadySolver {
   std::vector<double> residual_, direction_, frozen_direction_;
   std::vector<double> merit_weights_;
   double round_off_ = 0;
-  // What the linear solver has the factors of, if it has any.
+  // The problem whose factors the linear solver has, if any.
   std::shared_ptr<const EquationProblem> linearised_;
   Coordinates linearised_at_;
   bool stalled_ = false;

@@ -6,12 +6,12 @@
 
 namespace winslow {
 
-/// If a line search has to go below this share of the step, it looks for stuck nodes:
+/// If a line search needs less than this share of the step, it looks for stuck nodes:
 /// EnergyProblem::holding_stuck_nodes().
 inline constexpr double shortest_step = 0.15;
 
-/// Step that a line search from the valid mesh x begins with: `longest`, or 0.9 of the exact
-/// largest valid one where that is shorter.
+/// Initial step of a line search from the valid mesh x: `longest`, or 0.9 of the exact largest
+/// valid step if that is shorter.
 double first_valid_step(const SmoothingProblem& problem, std::span<const double> direction,
                         double longest, const Coordinates& x);
 
@@ -26,25 +26,25 @@ double longer_step(double slope, double change);
 /// Adds a share of each diagonal block's mean diagonal entry to its diagonal.
 void shift_diagonal(SparseMatrix& matrix, double share);
 
-/// Hands a matrix that is positive semidefinite by construction to a solver. Where round-off or
-/// sizes too far apart spoil that, a growing share of each diagonal block's trace is added to its
-/// diagonal until the solver takes it. `matrix` is changed accordingly.
-/// Throws NotPositiveDefinite if even a share of one does not help.
+/// Passes a matrix that is positive semidefinite by construction to a solver. If round-off or very
+/// different sizes make it indefinite, adds a growing share of each diagonal block's trace to its
+/// diagonal until the solver accepts it. `matrix` is changed accordingly. Throws
+/// NotPositiveDefinite if even a share of one does not help.
 void set_shifted_matrix(LinearSolver& solver, SparseMatrix& matrix);
 
-/// The same, and solves for one right-hand side: an iterative solver finds out only then.
-/// `solution` is written from zero on.
+/// The same, and solves for one right-hand side: an iterative solver detects indefiniteness only
+/// then. The initial guess in `solution` is zero.
 LinearResult solve_shifted(LinearSolver& solver, SparseMatrix& matrix, std::span<const double> rhs,
                            std::span<double> solution);
 
-/// A line search that lowers the energy. Where only very short steps do, because some nodes are
-/// stuck, it replaces `problem` by one that holds the stuck nodes
-/// (EnergyProblem::holding_stuck_nodes()), solves for a new direction and searches along it; it
-/// repeats this while more nodes are found. Returns false if no step leads down.
+/// A line search that lowers the energy. If stuck nodes permit only very short steps, it replaces
+/// `problem` by one that holds these nodes (EnergyProblem::holding_stuck_nodes()), solves for a new
+/// direction and searches along it; it repeats this while more nodes are found. Returns false if no
+/// step lowers the energy.
 ///
-/// direction: of the last system; solve() overwrites it. slope: of the energy along it, downhill.
-/// pass_checkpoint(): called before each round; ends the search by an exception. solve(): solves
-/// the system of `problem` at x and returns the slope along the new direction. search(slope,
+/// direction: of the last system; solve() overwrites it. slope: rate of decrease of the energy
+/// along it. pass_checkpoint(): called before each round; ends the search by an exception. solve():
+/// solves the system of `problem` at x and returns the slope along the new direction. search(slope,
 /// shortest): makes a step; returns false if no step of `shortest` or more lowers the energy.
 template <class Problem, class Checkpoint, class Solve, class Search>
 bool search_down(std::shared_ptr<const Problem>& problem, const Coordinates& x,

@@ -13,11 +13,11 @@
 ///       std::printf("%d %.3e\n", record.iteration, record.residual);
 namespace winslow {
 
-/// What an outer iteration was part of.
+/// The stage of a run to which an outer iteration belongs.
 enum class Stage {
   picard,    ///< fixed-point iteration
   untangle,  ///< towards a mesh without inverted elements
-  relax,     ///< getting near a solution before the path or the last steps
+  relax,     ///< approaching a solution before the path or the last steps
   path,      ///< following the boundary's motion
   newton,    ///< Newton's method towards the tolerance
   worst      ///< raising the worst element of a solution
@@ -53,15 +53,16 @@ class OuterSolver {
   virtual IterationRecord step(Coordinates& x) = 0;
   /// True if the last record meets the tolerance, also on a mesh whose solution is tangled.
   virtual bool converged() const = 0;
-  /// True if the last step made no headway and further ones would not either.
+  /// True if the last step made no progress and further steps would not either.
   virtual bool stalled() const { return false; }
-  /// Nodes that it holds where what they slide on folds (EnergyProblem::holding_stuck_nodes()).
+  /// Number of nodes held at folds of their curve or surface
+  /// (EnergyProblem::holding_stuck_nodes()).
   virtual Index stuck_nodes() const { return 0; }
   /// Linear systems solved since the solver was made.
   int linear_solves() const { return linear_solves_; }
 
-  /// To be called within a step that solves many systems, between these. What it throws ends the
-  /// step, and the iteration. Empty: nothing.
+  /// Sets a function that a step with many linear solves calls between them. An exception from it
+  /// ends the step and the iteration. Empty: none.
   void set_checkpoint(std::function<void()> checkpoint) { checkpoint_ = std::move(checkpoint); }
 
  protected:
@@ -96,34 +97,34 @@ enum class Clip {
 struct EquationOptions {
   Clip clip = Clip::automatic;
   double tolerance = 1e-10;  ///< of the largest scaled residual (ResidualNorms::max)
-  double damping = 0.3;      ///< share of a solution with frozen coefficients that is taken, (0, 1]
+  double damping = 0.3;      ///< share of the step to the solution with frozen coefficients, (0, 1]
   bool adapt_damping = true;  ///< halve the damping where the iteration makes no progress
   /// Earlier iterates that Anderson acceleration combines once the mesh is valid; 0: none.
   int acceleration = 15;
 };
 
-/// An outer solver that can also say, to first order, how its solution answers when the boundary
-/// moves: what path following and dragging need.
+/// An outer solver that can also predict, to first order, the change of its solution when the
+/// boundary moves, for path following and dragging.
 class SteadySolver : public OuterSolver {
  public:
-  /// What is solved at present.
+  /// The problem that is solved at present.
   virtual const SmoothingProblem& problem() const = 0;
 
   /// Change of the unknowns (#unknowns) that keeps the equations satisfied to first order while the
-  /// prescribed nodes move by `displacement` (as large as x; what it holds for other nodes is
-  /// ignored). One linear solve, with the last linearisation of this problem where there is one,
-  /// else with one at x.
+  /// prescribed nodes move by `displacement` (as large as x; entries of other nodes are ignored).
+  /// One linear solve, with the last linearisation of this problem if there is one, otherwise with
+  /// one at x.
   void predict(const Coordinates& x, const Coordinates& displacement, std::span<double> out) {
     respond(x, displacement, false, out);
   }
-  /// The same, plus what leads back to the solution where x is only near one: still one linear
-  /// solve. Solvers that know no such correction predict.
+  /// The same, plus a correction towards the solution if x is only near one: still one linear
+  /// solve. Solvers without such a correction only predict.
   void predict_and_correct(const Coordinates& x, const Coordinates& displacement,
                            std::span<double> out) {
     respond(x, displacement, true, out);
   }
-  /// The caller goes back to a mesh from before the last start(): no linearisation made since is of
-  /// a mesh near it, so the next prediction makes its own.
+  /// Tells the solver that the caller returns to a mesh from before the last start(): later
+  /// linearisations do not apply near it, so the next prediction makes its own.
   virtual void reject() = 0;
 
  protected:

@@ -9,15 +9,15 @@
 namespace winslow {
 
 /// Anderson acceleration of a fixed-point iteration x <- x + f(x): the next iterate is the
-/// combination of the last few that would annul the step if f were linear (D. G. Anderson, J. ACM
-/// 12, 1965; the type II form of H. Walker and P. Ni, SIAM J. Numer. Anal. 49, 2011).
+/// combination of the last few for which the step would vanish if f were linear (D. G. Anderson, J.
+/// ACM 12, 1965; the type II form of H. Walker and P. Ni, SIAM J. Numer. Anal. 49, 2011).
 class AndersonAcceleration {
  public:
-  /// depth: how many earlier iterates are combined. weights: one per unknown, what the step is
-  /// measured in (here: 1 / local edge length, so that far-field cells do not drown wall cells).
+  /// depth: number of earlier iterates combined. weights: one per unknown, for the norm of the step
+  /// (here: 1 / local edge length, so that far-field cells do not dominate wall cells).
   AndersonAcceleration(int depth, std::vector<double> weights);
 
-  /// Replaces the step f at x by the accelerated one, and remembers both.
+  /// Replaces the step f at x by the accelerated one, and stores x and f.
   void accelerate(std::span<const double> x, std::span<double> step);
   /// Forgets everything (after the equations changed).
   void reset();
@@ -33,9 +33,10 @@ class AndersonAcceleration {
 /// Smoothing"): freeze alpha, beta, gamma and the weights, solve the linear system, take a damped
 /// step x <- x + damping * delta.
 ///
-/// Undamped it diverges even from a good mesh; with negative weights clipped every row is a convex
-/// combination, which makes it the untangler. Once the mesh is valid the steps are accelerated, and
-/// an accelerated step that would invert an element is replaced by the plain one.
+/// Without damping the iteration diverges even from a good mesh. With negative weights clipped
+/// every row is a convex combination, so the iteration untangles. Once the mesh is valid the steps
+/// are accelerated, and an accelerated step that would invert an element is replaced by the plain
+/// one.
 class PicardSolver final : public OuterSolver {
  public:
   /// The linear solver outlives this.
@@ -61,7 +62,7 @@ class PicardSolver final : public OuterSolver {
   double round_off_ = 0;  // smallest residual that double precision can show on this mesh
 
   bool unclipped_before_ = false;
-  int relapses_ = 0;  // times that going without clipping tangled a valid mesh
+  int relapses_ = 0;  // how often steps without clipping tangled a valid mesh
 
   std::optional<AndersonAcceleration> acceleration_;
   double best_accelerated_ = 0;

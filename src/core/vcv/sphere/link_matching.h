@@ -22,8 +22,8 @@ namespace winslow {
 std::optional<std::vector<Index>> match_links(const SphereLink& from, std::span<const Vec3> there,
                                               const SphereLink& to, std::span<const Vec3> here);
 
-/// A node whose link is the same graph as that of another node, with its neighbours in the order in
-/// which the link's map has them: neighbour k belongs to neighbour k of the other node.
+/// A node whose link is the same graph as that of another node. Its neighbours are in the order of
+/// the map: neighbour k corresponds to neighbour k of the other node.
 struct MatchedStar {
   Index node = -1;
   std::vector<Index> neighbours;

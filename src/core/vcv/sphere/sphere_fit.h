@@ -6,9 +6,9 @@
 
 namespace winslow {
 
-/// Solves A x = b for one small symmetric positive definite matrix after another. Rows lie one
-/// after the other, so that each update of the factorisation runs along two of them, and rows that
-/// meet a zero are passed over: with unknowns of few neighbours first, most of them do.
+/// Solves A x = b for a series of small symmetric positive definite matrices. Rows are contiguous,
+/// so each update of the factorisation runs along two of them. Rows with a zero factor are skipped:
+/// most of them, if unknowns with few neighbours come first.
 class UpperCholesky {
  public:
   /// A matrix of n by n zeros.
@@ -24,8 +24,8 @@ class UpperCholesky {
     return values_[row * size_ + column];
   }
 
-  /// A = U^T U, U in the place of A, with the inverse of its diagonal. False, with what was done so
-  /// far, where a pivot is not positive.
+  /// A = U^T U; U replaces A, with the inverse of its diagonal. Returns false at a pivot that is
+  /// not positive, with A partly factorised.
   bool factorise() {
     std::size_t j = 0;
     for (; j + 1 < size_; j += 2) {  // two rows at once: half the traffic
@@ -77,7 +77,7 @@ class UpperCholesky {
     for (std::size_t k = j + 1; k < size_; ++k) own[k] *= inverse;
     return true;
   }
-  /// Row i minus the factor times another, from column i on.
+  /// Subtracts the factor times another row from row i, from column i on.
   void subtract(std::size_t i, const double* other, double factor) {
     double* __restrict own = row(i);
     for (std::size_t k = i; k < size_; ++k) own[k] -= factor * other[k];
@@ -98,14 +98,14 @@ class UpperCholesky {
 /// 3. an affine map and a centre inside for which the directions to the vertices are spread evenly:
 ///    their mean is zero and their second moments are alike (D. E. Tyler, "A distribution-free
 ///    M-estimator of multivariate scatter", Ann. Stat. 15, 1987). The centre is a mean with
-///    positive weights, so every iterate is as valid as the last;
+///    positive weights, so every iterate is valid;
 /// 4. projection from the centre. Faces of a convex body seen from inside do not overlap.
 ///
-/// One object for many links keeps its memory.
+/// An object reuses its memory for many links.
 class SphereStart {
  public:
-  /// directions: #vertices. Throws NumericError where round-off has the last word: triangles nested
-  /// so deeply that Tutte's embedding cannot show the innermost ones.
+  /// directions: #vertices. Throws NumericError if round-off prevents a solution: triangles are
+  /// nested so deeply that Tutte's embedding cannot resolve the innermost ones.
   void place(const SphereLink& link, std::span<Vec3> directions);
 
  private:
@@ -114,7 +114,7 @@ class SphereStart {
   void spread(std::span<Vec3> directions);
 
   UpperCholesky laplacian_;
-  std::vector<Index> row_;     // by vertex, -1 for those of the outer triangle
+  std::vector<Index> row_;     // by vertex, -1 for vertices of the outer triangle
   std::vector<double> x_, y_;  // by row
   std::vector<Vec3> points_;   // by vertex
   std::vector<Vec3> planes_;   // by triangle: slopes and height above the origin
@@ -122,27 +122,27 @@ class SphereStart {
   std::vector<char> reached_;
 };
 
-/// All solid angles positive and the sphere covered once.
+/// Whether all solid angles are positive and cover the sphere once.
 bool covers_sphere(const SphereLink& link, std::span<const Vec3> directions);
 
 struct SphereFitOptions {
-  /// mu of the first step: how much the shape of triangles counts beside their solid angles.
+  /// mu of the first step: the weight of the shape of triangles relative to their solid angles.
   double regularisation = 0.3;
-  /// mu is divided by ten with every step, down to this, and the fit ends as soon as all angles are
-  /// as wanted. If there is no way down, the cost is minimised as it stands.
+  /// Every step divides mu by ten, down to this value; the fit ends as soon as all angles are as
+  /// wanted. If no step lowers the cost, it is minimised with the present mu.
   double least_regularisation = 1e-6;
   /// Least mean ratio, 12 (3 V)^(2/3) / (sum of the squared edges), of a tetrahedron of the VCV: 1
-  /// of the regular one, 0 of a flat one. A step that leaves one below it is not taken, and the fit
-  /// ends; but where the start has a flatter one, the bound is half of its mean ratio.
+  /// if regular, 0 if flat. A step below this bound is rejected and ends the fit. If the start has
+  /// a flatter tetrahedron, the bound is half of its mean ratio.
   double least_shape = 0.2;
   double tolerance = 1e-3;  ///< of the largest relative error of a solid angle
   int most_steps = 60;
 };
 
-/// What ended a fit.
+/// Why a fit ended.
 enum class SphereFitEnd : std::uint8_t {
   converged,         ///< all solid angles are as wanted, within the tolerance
-  limited_by_shape,  ///< solid angles gave way to the shape: by regularisation or least_shape
+  limited_by_shape,  ///< the shape prevents the wanted angles: by regularisation or least_shape
   out_of_steps
 };
 
@@ -153,18 +153,18 @@ struct SphereFitResult {
 };
 
 /// Moves the vertices of a link on the unit sphere until its triangles have given solid angles
-/// Omega*: the least, by Levenberg and Marquardt's method in the tangent planes, of
+/// Omega*. The Levenberg-Marquardt method in the tangent planes minimises
 ///
 ///   sum over triangles of (Omega / Omega* - 1)^2  +  mu / 2 sum over edges of |edge|^2.
 ///
-/// A link of n triangles has n + 1 coordinates that are free, rotations apart, and n - 1
-/// conditions, since the angles sum to 4 pi; so as a rule they can be met exactly (mu = 0), but not
-/// always by triangles of a good shape. No step is taken after which a triangle has a solid angle
-/// of zero or less. One object for many links keeps its memory.
+/// A link of n triangles has n + 1 free coordinates (without rotations) and n - 1 conditions, since
+/// the angles sum to 4 pi. So usually they can be met exactly (mu = 0), but not always by triangles
+/// of a good shape. Steps to a solid angle of zero or less are rejected. One object for many links
+/// keeps its memory.
 class SphereFit {
  public:
   /// targets: #triangles, in steradians, positive, with a sum of 4 pi. directions: #vertices, unit
-  /// vectors; where to start from, and then the result. Throws UsageError unless the start covers
+  /// vectors; the start on entry, the result on return. Throws UsageError unless the start covers
   /// the sphere without an inverted triangle.
   SphereFitResult fit(const SphereLink& link, std::span<const double> targets,
                       const SphereFitOptions& options, std::span<Vec3> directions);
@@ -192,7 +192,7 @@ class SphereFit {
   void advance();
 
   State now_, trial_;
-  std::vector<std::size_t> place_;             // by vertex: its place in the order of elimination
+  std::vector<std::size_t> place_;             // by vertex: position in the order of elimination
   std::vector<std::array<Vec3, 2>> tangents_;  // by vertex
   UpperCholesky normal_, factor_;
   std::vector<double> descent_, step_;

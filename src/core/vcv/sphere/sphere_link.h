@@ -16,21 +16,20 @@ struct SolidAngleTangent {
 };
 
 inline SolidAngleTangent solid_angle_tangent(const Vec3& a, const Vec3& b, const Vec3& c) {
-  // By differences: a small triangle loses no digits.
+  // Uses differences to avoid cancellation in small triangles.
   return {a.dot((b - a).cross(c - a)), 1 + a.dot(b) + b.dot(c) + c.dot(a)};
 }
 
 /// Solid angle, in steradians, of the spherical triangle a b c of unit vectors: in (-2 pi, 2 pi],
-/// positive where it is counter-clockwise seen from outside. A triangle beyond a half of the sphere
-/// counts as its complement, seen from inside; with two opposite corners it has no angle of its
-/// own.
+/// positive if it is counter-clockwise seen from outside. A triangle larger than half of the sphere
+/// counts as its complement, seen from inside; with two opposite corners the angle is undefined.
 inline double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const SolidAngleTangent t = solid_angle_tangent(a, b, c);
   return 2 * std::atan2(t.n, t.d);
 }
 
-/// A solid angle and its derivatives by the corners. Of each derivative only the part in the
-/// tangent plane of its corner means anything.
+/// A solid angle and its derivatives by the corners. Only the component of each derivative in the
+/// tangent plane of its corner is meaningful.
 struct SolidAngleGradient {
   double angle;
   Vec3 by_a, by_b, by_c;
@@ -46,11 +45,11 @@ inline SolidAngleGradient solid_angle_gradient(const Vec3& a, const Vec3& b, con
           dn * a.cross(b) + dd * (a + b)};
 }
 
-/// The link of an interior node of a volume mesh as a triangulated sphere, in numbers of its own:
-/// vertex k is neighbour k of the node, triangles are counter-clockwise seen from outside.
+/// The link of an interior node of a volume mesh as a triangulated sphere: vertex k is neighbour k
+/// of the node, triangles are counter-clockwise seen from outside.
 ///
-/// It is a simplicial complex (no two edges have the same ends) and a sphere, so that its edges are
-/// a 3-connected planar graph: what the embedding of sphere_start() rests on. Half-edge 3 t + k
+/// It is a simplicial complex (no two edges have the same ends) and a sphere, so that its edges
+/// form a 3-connected planar graph, as the embedding in SphereStart requires. Half-edge 3 t + k
 /// leads from corner k of triangle t to the next.
 class SphereLink {
  public:
@@ -61,21 +60,21 @@ class SphereLink {
   SphereLink(Index vertices, std::span<const Triangle> triangles) { assign(vertices, triangles); }
   SphereLink(const Topology& topology, Index node) { assign(topology, node); }
 
-  /// Takes other triangles and keeps the memory. Throws UsageError, naming what is wrong, unless
-  /// they are a sphere as said above: a vertex out of range or without triangles, an edge that has
-  /// not one triangle on either side, a vertex where two parts meet, several parts, handles.
+  /// Replaces the triangles and reuses the memory. Throws UsageError with the reason unless they
+  /// form a sphere as above: for a vertex out of range or without triangles, an edge without one
+  /// triangle on either side, a vertex where two parts meet, several parts, or handles.
   void assign(Index vertices, std::span<const Triangle> triangles);
-  /// The link of an interior node of a volume mesh: what is cut off each element at the node, a
-  /// quadrilateral at a pyramid's apex along the diagonal from its lowest node. Throws UsageError
-  /// for a node of the boundary or of another mesh; MeshError, naming the node, where the link is
-  /// none of those above.
+  /// Assigns the link of an interior node of a volume mesh: the triangle that the node's neighbours
+  /// in each element form. At a pyramid's apex the quadrilateral is split along the diagonal from
+  /// its lowest node. Throws UsageError for a boundary node or a node of another mesh; MeshError,
+  /// naming the node, if the link is no sphere as above.
   void assign(const Topology& topology, Index node);
 
   Index vertex_count() const { return static_cast<Index>(first_.size()) - 1; }
   Index triangle_count() const { return static_cast<Index>(triangles_.size()); }
   std::span<const Triangle> triangles() const { return triangles_; }
 
-  /// The half-edge that follows around the triangle, and the one before.
+  /// The next half-edge around the triangle, and the previous one.
   static Index next_of(Index half_edge) {
     return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
   }
@@ -86,7 +85,7 @@ class SphereLink {
   Index twin(Index half_edge) const { return twins_[at(half_edge)]; }
   Index start_of(Index half_edge) const { return triangles_[at(half_edge / 3)][at(half_edge % 3)]; }
   Index end_of(Index half_edge) const { return ends_[at(half_edge)]; }
-  /// Half-edges that leave a vertex, as many as it has neighbours, in no order.
+  /// Half-edges that start at a vertex, one per neighbour, in no particular order.
   std::span<const Index> outgoing(Index vertex) const {
     return std::span(outgoing_).subspan(at(first_[at(vertex)]), at(degree(vertex)));
   }

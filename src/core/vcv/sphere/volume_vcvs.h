@@ -8,22 +8,22 @@
 namespace winslow {
 
 /// Virtual control volumes (VCVs) of the interior nodes of a volume mesh, as data: the directions
-/// of their edges (unit vectors) and the lengths of these, in computational space. The node lies at
-/// the origin, neighbour k of Topology::neighbours() in direction k; what elements cut off at the
-/// node (see SphereLink) makes the outer triangles.
+/// (unit vectors) and lengths of their edges in computational space. The node lies at the origin,
+/// neighbour k of Topology::neighbours() in direction k; the triangles of the link (see SphereLink)
+/// are the outer triangles.
 ///
-/// Directions that were worked out are kept in single precision: 12 bytes for each neighbour, 180
-/// MB for a million nodes of 15 neighbours, and 4 more where edges have lengths. Those that were
-/// set keep every digit.
+/// Computed directions are stored in single precision: 12 bytes for each neighbour, 180 MB for a
+/// million nodes of 15 neighbours, and 4 bytes more if edges have lengths. VCVs that were set are
+/// stored in double precision.
 class VolumeVcvs {
  public:
-  /// Equal angles and unit edges. Throws UsageError unless it is a volume mesh and the options ask
-  /// for these; MeshError or NumericError, naming the node, for a star that has no VCV (see
+  /// Equal angles and unit edges. Throws UsageError for another mesh than a volume mesh, and for
+  /// other options; MeshError or NumericError, naming the node, for a star without a VCV (see
   /// SphereLink, SphereStart).
   explicit VolumeVcvs(std::shared_ptr<const Topology> topology,
                       const VolumeVcvOptions& options = {});
-  /// Angles of any kind. physical: the mesh, which may be tangled; where a star is valid its
-  /// directions are what the fit starts from.
+  /// Angles of any kind. physical: the mesh, which may be tangled; the fit of a valid star starts
+  /// from its directions.
   VolumeVcvs(std::shared_ptr<const Topology> topology, const Coordinates& physical,
              const VolumeVcvOptions& options);
 
@@ -31,15 +31,15 @@ class VolumeVcvs {
   const std::shared_ptr<const Topology>& shared_topology() const { return topology_; }
   const VolumeVcvOptions& options() const { return options_; }
 
-  /// Takes the adjusted angles of the mesh as it is now, but not its edge lengths: the stars whose
-  /// wanted angles changed by more than the tolerance of a fit are solved again from where they
-  /// were; returns how many. Nodes whose VCVs were set keep them. Throws UsageError unless the
+  /// Recomputes the adjusted angles from the present mesh, but not the edge lengths. Stars whose
+  /// wanted angles changed by more than the tolerance of a fit are solved again from their present
+  /// directions; returns their number. VCVs that were set are kept. Throws UsageError unless the
   /// angles are adjusted ones.
   Index adjust(const Coordinates& physical);
 
   /// Direction of edge k of an interior node, a unit vector.
   Vec3 direction(Index node, Index k) const;
-  /// Length of edge k of an interior node. Only ratios within one VCV act.
+  /// Length of edge k of an interior node. Only ratios within one VCV matter.
   double length(Index node, Index k) const;
   /// Computational position of neighbour k of an interior node, which lies at the origin.
   Vec3 point(Index node, Index k) const { return length(node, k) * direction(node, k); }
@@ -50,14 +50,13 @@ class VolumeVcvs {
   /// is inverted; lengths: positive, the longest at most 1e12 times the shortest. Throws UsageError
   /// otherwise.
   void set(Index node, std::span<const Vec3> directions, std::span<const double> lengths);
-  /// Back to what was worked out.
+  /// Restores the computed VCV.
   void reset(Index node);
   bool edited(Index node) const { return edited_.contains(node); }
 
   /// How the fit of the i-th interior node ended; see Topology::interior_nodes().
   SphereFitEnd fit_end(std::size_t i) const { return ends_[i]; }
-  /// Solid angles that were wanted of the i-th interior node, whose link this is, in steradians
-  /// (#triangles).
+  /// The wanted solid angles of the i-th interior node with this link, in steradians (#triangles).
   void targets(std::size_t i, const SphereLink& link, std::vector<double>& out) const;
 
  private:
@@ -77,8 +76,8 @@ class VolumeVcvs {
   SphereStencils edited_;
 };
 
-/// What the VCVs of a mesh came out as: what AIAA 2009-1362 tells of its own, and how near they are
-/// to what was wanted. VCVs that were set do not count.
+/// Statistics of the VCVs of a mesh: those of AIAA 2009-1362, and the errors relative to the wanted
+/// angles. VCVs that were set are excluded.
 struct VolumeVcvStatistics {
   Index stars = 0;
   Index triangles = 0;
@@ -86,8 +85,8 @@ struct VolumeVcvStatistics {
   double min_cost = 0, max_cost = 0;    ///< of a vertex of a star, see star_cost()
   double mean_error = 0;                ///< of |Omega / Omega* - 1| over all triangles
   double max_error = 0;
-  Index off = 0;               ///< stars with a triangle that is off by more than 0.1 %
-  Index limited_by_shape = 0;  ///< those whose fit ended so, see SphereFitEnd
+  Index off = 0;               ///< stars with a triangle whose error exceeds 0.1 %
+  Index limited_by_shape = 0;  ///< stars whose fit ended so, see SphereFitEnd
   Index out_of_steps = 0;
 };
 
