@@ -31,7 +31,7 @@ double role_weight(ElementRole role) {
 double element_weight(Index element, const TargetBlend& blend, const StretchField& stretch,
                       const ElementRoles* roles) {
   double held = 1;
-  // Known layers are held by their roles, against which all else is to be soft.
+  // The roles of known layers hold them; all other elements must be softer.
   if (blend.automatic > 0)
     held = stretch.weight[at(element)] * (roles ? 1 : stretch.stiffness[at(element)]);
   return role_weight(role_of(roles, element)) * (blend.automatic * held + 1 - blend.automatic);

@@ -52,7 +52,7 @@ struct Scaling {
   }
 };
 
-/// Rank-one part lambda q q^T. m: eigenvector over J.
+/// Adds the rank-one part lambda q q^T. m: eigenvector over J.
 void add_rank_one(double lambda, const Matrix2& m, const Matrix2& root, double* blocks) {
   if (!(lambda > 0)) return;
   // <m, dJ> = <m, [du dv] root> = <m root^T, [du dv]>: one vector for each edge.

@@ -79,8 +79,8 @@ void PointwiseForm<D>::each_node(Visit&& visit) const {
   });
 }
 
-/// visit(i, first free node of i's block, neighbours of node i, their weights, how many of them are
-/// negative, the row) for each free node, on several threads.
+/// visit(i, first free node of i's block, neighbours of node i, their weights, number of negative
+/// weights, the row) for each free node, on several threads.
 template <int D>
 template <typename Visit>
 void PointwiseForm<D>::each_row(const Coordinates& x, Visit&& visit) const {
@@ -132,11 +132,12 @@ Index PointwiseForm<D>::freeze(const Coordinates& x, SparseSystem& out) const {
   return std::accumulate(negative.begin(), negative.end(), Index{0});
 }
 
-/// Derivative of one row, times its scale, by the position of each neighbour; see StencilOperator.
+/// Derivative of one row, times its scale, with respect to the position of each neighbour; see
+/// StencilOperator.
 template <int D>
 class PointwiseForm<D>::RowDerivative {
  public:
-  /// weights: memory to work in, which belongs to this until it is gone.
+  /// weights: work memory, used by this object throughout its lifetime.
   RowDerivative(const PointwiseForm& form, const Coordinates& x, Index node,
                 std::vector<double>& weights)
       : functionals_((*form.functionals_)[node]), weights_(weights) {

@@ -8,7 +8,7 @@ namespace winslow {
 
 namespace {
 
-/// Places of all rows: in the order, and in the matrices of their blocks.
+/// Positions of all rows in the order, and in the matrices of their blocks.
 template <int D>
 class RowPlaces {
  public:
@@ -22,18 +22,19 @@ class RowPlaces {
     }
   }
 
-  /// Entries of the matrix of the rows at the positions [begin, end): one that nobody needs, and
-  /// those of the rows.
+  /// Number of entries of the matrix of the rows at the positions [begin, end): one unused entry,
+  /// and those of the rows.
   Index entries(Index begin, Index end) const { return 1 + start_[at(end)] - start_[at(begin)]; }
 
-  /// Is the row at position p the first in the block that has the cell? rows: of the cell's nodes.
+  /// Whether the row at position p is the first of the block that has the cell. rows: of the cell's
+  /// nodes.
   bool meets_first(const std::array<Index, D + 1>& rows, Index p, Index begin) const {
     return std::none_of(rows.begin(), rows.end(), [&](Index row) {
       return row >= 0 && position_[at(row)] >= begin && position_[at(row)] < p;
     });
   }
 
-  /// Where a cell belongs in the matrix of the block of the positions [begin, end).
+  /// The places of a cell in the matrix of the block with the positions [begin, end).
   distortion::SimplexPlaces<D> in_block(const std::array<Index, D + 1>& rows, Index begin,
                                         Index end) const {
     const auto is_in_block = [&](Index row) {

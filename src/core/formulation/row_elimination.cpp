@@ -9,7 +9,7 @@ namespace winslow {
 
 namespace {
 
-/// A matrix of D by D blocks like another, of zeros in that pattern.
+/// Makes a zero matrix of D by D blocks in the given pattern, with the properties of another.
 template <int D>
 void set_zero(const SparseMatrix& like, const std::shared_ptr<const SparsityPattern>& pattern,
               SparseMatrix& out) {
@@ -203,7 +203,7 @@ namespace {
 template <int D>
 using Block = Eigen::Matrix<double, D, D, Eigen::RowMajor>;
 
-/// Columns: the directions of a foot; zero for those that it has not.
+/// Columns: the directions of a foot; zero columns for missing directions.
 template <int D>
 Block<D> directions(const Foot& foot) {
   Block<D> q = Block<D>::Zero();

@@ -1,4 +1,4 @@
-// Compiled with -mavx2: includes nothing whose inline functions another file could end up with.
+// Compiled with -mavx2: must not include headers whose inline functions other files could link.
 #ifdef WINSLOW_HAS_AVX2
 #define WINSLOW_KERNEL avx2_triangles
 #include "core/formulation/triangle_kernel.inc"

@@ -13,14 +13,14 @@ namespace {
 
 constexpr double inverted = std::numeric_limits<double>::quiet_NaN();
 constexpr double unknown = -1;           // a stretch is not negative
-constexpr double stretched_from = 0.45;  // median of s from which simplices keep shares
+constexpr double stretched_from = 0.45;  // median of s above which simplices keep shares
 
 double rising_step(double value, double low, double high) {
   const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
 
-/// Of a face; normal: that of the side from which it is seen.
+/// Whether a face is inverted; normal: of the side from which it is viewed.
 bool is_inverted(std::span<const Index> nodes, const Coordinates& x, const Vec3& normal) {
   const std::size_t n = nodes.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -32,7 +32,7 @@ bool is_inverted(std::span<const Index> nodes, const Coordinates& x, const Vec3&
   return false;
 }
 
-/// s of StretchField, of a face; NaN of one that is inverted.
+/// s of StretchField for a face; NaN if it is inverted.
 double face_stretch(std::span<const Index> nodes, const Coordinates& coordinates,
                     const Vec3& normal) {
   if (is_inverted(nodes, coordinates, normal)) return inverted;
@@ -45,7 +45,7 @@ double face_stretch(std::span<const Index> nodes, const Coordinates& coordinates
   return 0.5 * stretch_between(TargetMetric::of_angle(pi / 2), TargetMetric::of(p, q));
 }
 
-/// The same of a volume element; NaN of one that is flat, too.
+/// The same for a volume element; NaN also if it is flat.
 double cell_stretch(ElementType type, std::span<const Index> nodes, const SpacePoints& x) {
   double sum = 0;
   const auto corners = corner_tetrahedra(type);
@@ -59,15 +59,15 @@ double cell_stretch(ElementType type, std::span<const Index> nodes, const SpaceP
   return 0.5 * sum / static_cast<double>(corners.size());
 }
 
-/// Finds the stretch around elements, one after the other.
+/// Finds the median stretch around single elements.
 class Neighbourhood {
  public:
   Neighbourhood(const Topology& topology, const std::vector<double>& stretch)
       : topology_(topology), stretch_(stretch), seen_from_(stretch.size(), -1) {}
 
-  /// Median of the stretch of the elements of this type around, the element itself included; NaN if
-  /// one of those around, of whatever type, is inverted; `unknown` where it is no more than
-  /// `least`, which is found out sooner.
+  /// Median stretch of the surrounding elements of the same type, including the element itself; NaN
+  /// if a surrounding element of any type is inverted; `unknown` if the median is at most `least`,
+  /// which is faster to detect.
   double median(Index e, double least = -1) {
     found_.clear();
     std::size_t above = 0;
@@ -89,7 +89,7 @@ class Neighbourhood {
  private:
   const Topology& topology_;
   const std::vector<double>& stretch_;
-  std::vector<Index> seen_from_;  // #elements: the element around which it was met last
+  std::vector<Index> seen_from_;  // #elements: the element around which each was visited last
   std::vector<double> found_;
 };
 
@@ -140,8 +140,8 @@ class Field {
     });
   }
 
-  /// The same with what finds the stretch around an element, which is as large as the mesh: for few
-  /// blocks of elements.
+  /// The same with a Neighbourhood, which is as large as the mesh: therefore uses few blocks of
+  /// elements.
   template <class Visit>
   void for_each_neighbourhood(Visit&& visit) const {
     constexpr Index most_blocks = 16;
@@ -170,7 +170,7 @@ class Field {
     return is_simplex(e) ? rising_step(around, stretched_from, 0.8) : 1;
   }
 
-  /// #nodes: how many of the elements there are stretched enough to count, or inverted.
+  /// #nodes: number of elements at the node that are sufficiently stretched, or inverted.
   std::vector<Index> count_stretched() const {
     std::vector<Index> count(at(topology_.node_count()), 0);
     for (Index e = 0; e < topology_.element_count(); ++e) {
@@ -180,8 +180,8 @@ class Field {
     return count;
   }
 
-  /// False only if the median around is surely too small to count: to find it takes long, and few
-  /// elements of most meshes need it. stretched_at: see count_stretched.
+  /// Returns false only if the median around is certainly too small to matter. Computing the median
+  /// is slow, and most meshes need it for few elements. stretched_at: see count_stretched.
   bool may_be_stretched(Index e, std::span<const Index> stretched_at) const {
     if (!is_simplex(e)) return true;
     Index most = 0, around = 1;  // bounds of the stretched elements around and of all of them
@@ -193,7 +193,8 @@ class Field {
     return 2 * most >= around;
   }
 
-  /// From the shares as spread and the stretch around, which field.longest holds.
+  /// Completes the field from the spread shares and the surrounding stretch, which field.longest
+  /// holds.
   void finish(Index e, Neighbourhood& near, StretchField& field) const {
     double& share = field.share[at(e)];
     double& longest = field.longest[at(e)];
@@ -209,15 +210,15 @@ class Field {
     }
   }
 
-  /// Where there is less room than before, what is stretched is to keep its height and what is not
-  /// to give way. More than some hundreds gains nothing, and along wakes it costs iterations.
+  /// If there is less room than before, stretched elements should keep their height and others give
+  /// way. A factor above some hundreds has no benefit, and along wakes it costs iterations.
   static double stiffness(double kept_stretch) {
     constexpr double from_aspect = 4, most = 300;
     return std::clamp(std::exp(2 * kept_stretch) / from_aspect, 1.0, most);
   }
 
-  /// Of the corners of stretched quadrilaterals some are sharp by the shape of the boundary, as at
-  /// a trailing edge, and far more stretched than the element.
+  /// Some corners of stretched quadrilaterals are sharp because of the boundary's shape, e.g. at a
+  /// trailing edge, and are far more stretched than the element.
   double tolerance(Index e, double around) const {
     if (is_simplex(e)) return 0.35;
     return 0.7 + 1.8 * rising_step(around, 0.45, 0.8);
@@ -244,7 +245,8 @@ class Field {
     return share.empty() ? 0 : static_cast<double>(count) / static_cast<double>(share.size());
   }
 
-  /// One more row: each share rises to the mean of the shares around, or stays.
+  /// Spreads the shares by one row: each share rises to the mean of the surrounding shares, or
+  /// stays.
   void spread(std::vector<double>& share) const {
     std::vector<double> at_node(at(topology_.node_count()), 0.0);
     parallel_for(threads_, topology_.node_count(), [&](Index begin, Index end) {

@@ -9,7 +9,7 @@ namespace winslow {
 
 namespace {
 
-/// The element that has all nodes of a triangle.
+/// The element that contains all nodes of a triangle.
 Index element_of(const Topology& topology, const std::array<Index, 3>& nodes) {
   for (const Index e : topology.star(nodes[0])) {
     const auto element = topology.element(e);

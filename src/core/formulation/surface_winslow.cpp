@@ -23,9 +23,9 @@ distortion::Corner2 corner_of(const FlatCells& cells, std::size_t cell) {
   return {p, p + 2, p + 4};
 }
 
-/// Numbers z of a cell's pairs (01, 02, 12) stand for the quadratic form -sum z_ij (h_i - h_j)^2 of
-/// heights over its plane. This leaves the part of it that is not negative: with h = a b1 + b b2,
-/// b1 = (1, -1, 0) / sqrt 2 and b2 = (1, 1, -2) / sqrt 6, it is that of a matrix of two rows.
+/// The numbers z of a cell's pairs (01, 02, 12) define the quadratic form -sum z_ij (h_i - h_j)^2
+/// of heights over its plane. This function keeps the positive semidefinite part. With h = a b1 + b
+/// b2, b1 = (1, -1, 0) / sqrt 2 and b2 = (1, 1, -2) / sqrt 6, the form is a 2 by 2 matrix.
 void keep_convex(double* z) {
   if (z[0] <= 0 && z[1] <= 0 && z[2] <= 0) return;
   const double half_root_3 = 0.5 * std::sqrt(3.0);
@@ -45,8 +45,8 @@ void keep_convex(double* z) {
 
 }  // namespace
 
-/// What the kernel sums up for all cells, the numbers z of each pair of nodes (01, 02, 12), and of
-/// each pair the block of the Hessian by the unknowns, the rows those of the first node.
+/// The kernel's sums for all cells, the numbers z of each pair of nodes (01, 02, 12), and for each
+/// pair the block of the Hessian with respect to the unknowns, with the rows of the first node.
 struct SurfaceWinslow::CellSums {
   static constexpr std::size_t lanes = 4;  // the kernel writes full packs
   static std::size_t size(std::size_t cells) {
@@ -75,7 +75,7 @@ struct SurfaceWinslow::CellSums {
     return sums + Layout::sum * t + Layout::corners +
            Layout::corner * static_cast<std::ptrdiff_t>(c);
   }
-  /// Of the row of one node of a cell at another.
+  /// The block in the row of one node of a cell at another.
   Block block(Index t, std::size_t c, std::size_t j) const {
     const double* first = sums + Layout::sum * t;
     if (c < j) return Eigen::Map<const Block>(first + 4 * pair_of(c, j));
@@ -84,7 +84,7 @@ struct SurfaceWinslow::CellSums {
   double z_of(Index t, std::size_t c, std::size_t j) const {
     return !bends ? 0 : z[3 * at(t) + pair_of(std::min(c, j), std::max(c, j))];
   }
-  /// As block(), by the unknowns.
+  /// As block(), with respect to the unknowns.
   Block unknowns_block(Index t, std::size_t c, std::size_t j) const {
     const double* first = blocks + 12 * at(t);
     if (c < j) return Eigen::Map<const Block>(first + 4 * pair_of(c, j));
@@ -92,7 +92,7 @@ struct SurfaceWinslow::CellSums {
   }
 };
 
-/// What the cells around one row come to.
+/// Sums over the cells around one row.
 struct SurfaceWinslow::RowSums {
   Vec3 gradient{0, 0, 0};
   RowSum<2>::Scale scale;
@@ -167,8 +167,8 @@ bool SurfaceWinslow::turned_over(std::size_t cell, const Coordinates& coordinate
   return !(determinant_in(own_plane(u, v, reference), u, v) > 0);
 }
 
-/// Adds to `stuck` (#rows) those nodes of a cell which turn it over when they alone go from x to
-/// `there`; all of its nodes that move if none does so alone. y: x, changed and put back.
+/// Adds to `stuck` (#rows) the nodes of a cell that turn it over when moved alone from x to
+/// `there`; if no single node does, all its moving nodes. y: equal to x; modified and restored.
 void SurfaceWinslow::add_nodes_that_turn(std::size_t cell, const Coordinates& x,
                                          const Coordinates& there, Coordinates& y,
                                          std::vector<bool>& stuck) const {
@@ -198,7 +198,7 @@ std::shared_ptr<const EnergyProblem> SurfaceWinslow::holding_stuck_nodes(
   advance(direction, step, there);
   std::vector<bool> stuck = stuck_rows();
   add_nodes_led_astray(node_unknowns(), x, there, direction, 2, step, stuck);
-  // Of the nodes of elements that turn over on the way, those that turn one on their own.
+  // Of the elements that the step turns over, the nodes that do so when moved alone.
   const std::vector<bool> before = turned_over(x), after = turned_over(there);
   Coordinates y = x;
   for (std::size_t t = 0; t < after.size(); ++t)
@@ -267,7 +267,7 @@ void SurfaceWinslow::sum_cells(const FlatCells& cells, const Regularisation* reg
 
 namespace {
 
-/// How the unknowns of a node move it as a cell sees it: within its plane, and out of that.
+/// The directions of a node's unknowns relative to a cell: within its plane, and normal to it.
 struct SeenDirections {
   SeenDirections(const CellPlane& plane, const Foot& foot) {
     for (int k = 0; k < foot.frame.count(); ++k) {
@@ -281,7 +281,7 @@ struct SeenDirections {
 
 }  // namespace
 
-/// The blocks of the pairs of each cell by the unknowns. feet: of the rows.
+/// Computes the blocks of each cell's pairs with respect to the unknowns. feet: of the rows.
 void SurfaceWinslow::find_blocks(const FlatCells& cells, std::span<const Foot> feet,
                                  CellSums& sums) const {
   const auto n = static_cast<Index>(cells.planes.size());
@@ -345,8 +345,8 @@ Linearisation SurfaceWinslow::assemble(const Coordinates& x, const Regularisatio
 Linearisation SurfaceWinslow::assemble(const Coordinates& x, const Regularisation* regularisation,
                                        Second second, SparseMatrix* hessian,
                                        std::span<double> residual) const {
-  // What a surface without a held node may do for nothing, a sphere turn say, is held by so much of
-  // the diagonal: far less than any other change of shape costs.
+  // A surface without a fixed node can move at no cost, e.g. a sphere can rotate. This share of the
+  // diagonal prevents it; any other change of shape costs far more.
   constexpr double hold = 1e-8;
   const FlatCells cells = lay_flat(x, regularisation);
   CellSums sums(*structure_->memory, structure_->cells.size());

@@ -44,22 +44,22 @@ namespace {
 /// Share of a metric's larger entries below which an entry is round-off: a right angle.
 constexpr double round_off = 1e-9;
 
-/// Which edges from the nodes of a cell its target is right-angled in, as pairs of its nodes: those
-/// from the first, and in space those of a tetrahedron at the edge of its first two nodes
-/// (edge_tetrahedra()), of which one starts from the second.
+/// Choices of edges, as pairs of a cell's nodes, in which a target may be right-angled: those from
+/// the first node, and in space those of edge_tetrahedra() at the edge of the first two nodes,
+/// where one edge starts from the second.
 using EdgeNodes = std::array<std::array<std::size_t, 2>, 3>;
 constexpr std::array<EdgeNodes, 3> edge_choices{
     {{{{0, 1}, {0, 2}, {0, 3}}}, {{{0, 1}, {0, 2}, {1, 3}}}, {{{0, 1}, {1, 2}, {0, 3}}}}};
 
-/// The edges from the first node by those of a choice, as columns.
+/// The edges from the first node in terms of the edges of a choice, as columns.
 Eigen::Matrix3d in_edges(std::size_t choice) {
   Eigen::Matrix3d columns = Eigen::Matrix3d::Identity();
   if (choice > 0) columns(0, choice == 1 ? 2 : 1) = 1;
   return columns;
 }
 
-/// The same metric over edges of these lengths, where it has an edge at right angles to both
-/// others, or, all_right, where all three are at right angles.
+/// The metric with the given edge lengths, if one edge is at right angles to both others
+/// (all_right: if all three are at right angles).
 std::optional<Eigen::Matrix3d> with_lengths(const Eigen::Matrix3d& metric, const Vec3& lengths,
                                             bool all_right) {
   const auto right = [&](int k, int l) {
@@ -102,7 +102,8 @@ void take_lengths(VolumeTerm& term, const std::array<Index, 4>& cell, const Spac
     term = volume_term(normalized_metric(back * *scaled * back.transpose()), term.weight);
     return true;
   };
-  // The edges at the edge of a hexahedron also have one at right angles to both others as they are.
+  // At an edge of a hexahedron, the edges from the first node also include one at right angles to
+  // both others.
   for (const bool all_right : {true, false})
     for (std::size_t choice = 0; choice < edge_choices.size(); ++choice)
       if (try_choice(choice, all_right)) return;

@@ -11,7 +11,7 @@ TargetMetric own_metric(const Points<S>& x, const std::array<Index, 3>& cell, co
   return TargetMetric::of(Vec<S>(x[cell[1]] - x[cell[0]]), Vec<S>(x[cell[2]] - x[cell[0]]));
 }
 
-/// Of a cell that is as good as flat that at the end of the way.
+/// The cell's own metric; for an almost flat cell that at the end of the path.
 Eigen::Matrix3d own_metric(const SpacePoints& x, const std::array<Index, 4>& cell,
                            const VolumeTerm& end) {
   Edges3 edges;

@@ -11,7 +11,7 @@ namespace winslow {
 
 namespace {
 
-/// What targets of elements in the plane, on surfaces and in space have in common.
+/// The common part of the targets in the plane, on surfaces and in space.
 class TargetBuilder {
  protected:
   /// given: null if the blend does not refer to it. normals: of the elements of a surface mesh.
@@ -26,7 +26,7 @@ class TargetBuilder {
     for (const Index e : urgent) stretch_.weight[at(e)] *= 4;
   }
 
-  /// Whether any of some nodes can move.
+  /// Whether any of the nodes can move.
   bool movable(std::span<const Index> nodes) const {
     return std::ranges::any_of(nodes, [&](Index node) {
       return !topology_.on_boundary(node) || (classes_ && classes_->moves(node));
@@ -38,8 +38,8 @@ class TargetBuilder {
   std::optional<double> stretched() const {
     return blend_.automatic > 0 ? std::optional(stretch_.stretched) : std::nullopt;
   }
-  /// How much of the way from the regular shape to its own, which is stretched by so much, the
-  /// target of a corner lies.
+  /// Position of a corner's target between the regular shape (0) and its own shape (1). stretch: of
+  /// its own shape.
   double own_share(Index e, double stretch) const {
     const double longest = stretch_.longest[at(e)];
     return stretch_.share[at(e)] * (stretch > longest ? longest / stretch : 1);
@@ -56,11 +56,11 @@ class TargetBuilder {
   const NodeClasses* classes_;  // null: nothing slides
 
  private:
-  const ElementRoles* roles_;  // null: nothing is known of elements
-  StretchField stretch_;       // where the blend has a share for it
+  const ElementRoles* roles_;  // null: all ordinary
+  StretchField stretch_;       // if the blend has an `automatic` share
 };
 
-/// Of the elements of plane and surface meshes.
+/// Builds targets for the elements of plane and surface meshes.
 class FaceTargets : TargetBuilder {
  public:
   FaceTargets(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* given,
@@ -91,7 +91,7 @@ class FaceTargets : TargetBuilder {
     return {element[k], element[(k + 1) % n], element[(k + n - 1) % n]};
   }
 
-  /// The shares at a corner: an edited VCV takes the place of the element's own shape.
+  /// The shares at a corner: an edited VCV replaces the element's own shape.
   const TargetBlend& blend_at(Index node) const {
     return vcv_.edited(node) ? edited_blend_ : blend_;
   }
@@ -100,7 +100,7 @@ class FaceTargets : TargetBuilder {
            std::any_of(nodes.begin(), nodes.end(), [&](Index node) { return vcv_.edited(node); });
   }
 
-  /// Rest metric of a corner, times the share.
+  /// Adds the rest metric of a corner, times the share.
   void add_rest(TargetMetric& metric, const std::array<Index, 3>& nodes, Index e) const {
     if (blend_.rest == 0) return;
     const auto own = own_metric(nodes, e);
@@ -108,7 +108,7 @@ class FaceTargets : TargetBuilder {
     metric.add(blend_.rest, *own);
   }
 
-  /// Of a corner in the mesh as given; none if it is inverted.
+  /// Metric of a corner in the mesh as given; none if it is inverted.
   std::optional<TargetMetric> own_metric(const std::array<Index, 3>& nodes, Index e) const {
     const Vec3 first = place_of(*given_, nodes[0]);
     const Vec3 m1 = place_of(*given_, nodes[1]) - first, m2 = place_of(*given_, nodes[2]) - first;
@@ -117,8 +117,8 @@ class FaceTargets : TargetBuilder {
     return TargetMetric::of(m1, m2);
   }
 
-  /// Metric of a corner of a regular element, and of one that keeps its stretch as the field says,
-  /// times their shares.
+  /// Adds the metrics of a corner of the regular element, and of one that keeps its stretch by the
+  /// StretchField, times their shares.
   void add_regular(TargetMetric& metric, const TargetBlend& blend,
                    const std::array<Index, 3>& nodes, Index e) const {
     const double angle = topology_.element_type(e) == ElementType::triangle ? pi / 3 : pi / 2;
@@ -133,8 +133,8 @@ class FaceTargets : TargetBuilder {
     return between(regular, own, own_share(e, 0.5 * stretch_between(regular, own)));
   }
 
-  /// VCV metric of the corner at a free node, times the share. A VCV of two edges has straight
-  /// angles, which are no shape to strive for: there the element's own target stands in.
+  /// Adds the VCV metric of the corner at a free node, times the share. A VCV of two edges has
+  /// straight angles, which are unsuitable as a target: the element's own target replaces it.
   void add_vcv(TargetMetric& metric, Index e, Index node) const {
     const double ideal = topology_.element_type(e) == ElementType::triangle ? pi / 3 : pi / 2;
     if (topology_.neighbours(node).size() == 2) {
@@ -145,13 +145,14 @@ class FaceTargets : TargetBuilder {
     }
   }
 
-  /// VCV metric of a corner at the boundary, where there is no VCV, times the share: the corner of
-  /// the parallelogram that the VCVs of the adjacent corners span, or that of the opposite corner.
+  /// Adds the VCV metric of a corner at the boundary, which has no VCV of its own, times the share:
+  /// the corner of the parallelogram spanned by the VCVs of the adjacent corners, or by that of the
+  /// opposite corner.
   void add_parallelogram(TargetMetric& metric, Index e, std::size_t corner) const {
     const auto element = topology_.element(e);
     const auto node = [&](std::size_t step) { return element[(corner + step) % 4]; };
     const double share = edited_blend_.vcv;
-    // Two edges are no shape, see add_vcv.
+    // A VCV of two edges is no target, see add_vcv.
     const auto counts = [&](std::size_t step) {
       return vcv_.edited(node(step)) && topology_.neighbours(node(step)).size() > 2;
     };
@@ -195,7 +196,7 @@ class FaceTargets : TargetBuilder {
     shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
   }
 
-  /// What a triangle's target has besides VCVs, over its edges at corner 0.
+  /// The part of a triangle's target without VCVs, over its edges at corner 0.
   TargetMetric common_metric(const TargetBlend& blend, const std::array<Index, 3>& first,
                              Index e) const {
     TargetMetric common;
@@ -204,14 +205,14 @@ class FaceTargets : TargetBuilder {
     return common;
   }
 
-  /// One term for each corner with a VCV that counts.
+  /// Adds one term for each corner with an effective VCV.
   void add_vcv_terms(Index e) {
     const auto element = topology_.element(e);
     const auto counts = [&](Index node) {
       return !topology_.on_boundary(node) && (blend_.vcv > 0 || vcv_.edited(node));
     };
     const auto corners = std::count_if(element.begin(), element.end(), counts);
-    if (corners == 0) {  // all of its nodes move on the boundary, where there are no VCVs
+    if (corners == 0) {  // all its moving nodes are on the boundary, where there are no VCVs
       TargetBlend regular = blend_;
       regular.element += std::exchange(regular.vcv, 0);
       shapes_.terms.push_back(
@@ -232,7 +233,7 @@ class FaceTargets : TargetBuilder {
     }
   }
 
-  /// A metric over the edges at corner 0, over those at corner k of the same triangle.
+  /// Transforms a metric over the edges at corner 0 to those at corner k of the same triangle.
   static TargetMetric rotated(const TargetMetric& m, std::size_t k) {
     if (k == 0) return m;
     // Edges from corner 1 are (c - b, a - b), from corner 2 (a - c, b - c). The form is the same
@@ -262,7 +263,7 @@ class FaceTargets : TargetBuilder {
         add_parallelogram(metric, e, k);
       } else if (blend.vcv > 0) {
         if (topology_.on_boundary(nodes[0])) {
-          metric.add(blend.vcv, TargetMetric::of_angle(pi / 2));  // there is no VCV at the boundary
+          metric.add(blend.vcv, TargetMetric::of_angle(pi / 2));  // boundary nodes have no VCV
         } else {
           add_vcv(metric, e, nodes[0]);
         }
@@ -292,7 +293,7 @@ TargetShapes TargetShapes::build(const VirtualControlVolumes& vcv, const TargetB
 
 namespace {
 
-/// Of the elements of volume meshes.
+/// Builds targets for the elements of volume meshes.
 class VolumeTargets : TargetBuilder {
  public:
   VolumeTargets(const Topology& topology, const VolumeVcvs* vcvs, const TargetBlend& blend,
@@ -319,15 +320,15 @@ class VolumeTargets : TargetBuilder {
   }
 
  private:
-  /// Where a cell comes from.
+  /// The origin of a cell.
   struct Origin {
     Index element;
-    int corner;     ///< of corner_tetrahedra(); beyond these, of edge_tetrahedra()
-    double weight;  ///< of all its terms together
+    int corner;     ///< index into corner_tetrahedra(), continued by edge_tetrahedra()
+    double weight;  ///< sum over all its terms
   };
 
   bool free(Index node) const { return !topology_.on_boundary(node); }
-  /// The VCV that a node was given, as far as an element heeds it; null: none.
+  /// The VCV given by hand to a node; null if there is none or the element ignores it.
   const SphereStencil* by_hand(Index e, Index node) const {
     if (!stencils_ || !heeds_vcvs(e)) return nullptr;
     const auto found = stencils_->find(node);
@@ -338,7 +339,7 @@ class VolumeTargets : TargetBuilder {
     if (!free(node)) return 0;
     return by_hand(e, node) ? 1 - blend_.rest : blend_.vcv;
   }
-  /// How many nodes of a tetrahedron have a target with a VCV in it; 0: one target for all.
+  /// Number of nodes of a tetrahedron with their own VCV target; 0: one common target.
   Index vcv_terms(Index e, const std::array<Index, 4>& nodes) const {
     if (topology_.element_type(e) != ElementType::tetrahedron) return 0;
     if (blend_.vcv == 0 && !stencils_) return 0;
@@ -346,7 +347,7 @@ class VolumeTargets : TargetBuilder {
                                             [&](Index node) { return vcv_share(e, node) > 0; }));
   }
 
-  /// The cells of an element, and how many terms each is to have.
+  /// Lists the cells of an element and the number of terms of each.
   void list_element(Index e) {
     const auto corners = corner_tetrahedra(topology_.element_type(e));
     const std::size_t first = targets_.cells.size();
@@ -405,13 +406,13 @@ class VolumeTargets : TargetBuilder {
       *term = at_node(0, weight);
       return;
     }
-    // There is no VCV at the boundary.
+    // Boundary nodes have no VCV.
     const Eigen::Matrix3d sum = common + blend_.vcv * regular;
     *term = volume_term(normalized_metric(sum), weight);
   }
 
-  /// Metric, over the edges from the first node, of the tetrahedron that the VCV of node `centre`
-  /// of these has in the place of theirs.
+  /// Metric, over the edges from the first node, of the tetrahedron in the VCV of node `centre`
+  /// that corresponds to these nodes.
   Eigen::Matrix3d vcv_metric(Index e, const std::array<Index, 4>& nodes, std::size_t centre) const {
     const auto neighbours = topology_.neighbours(nodes[centre]);
     const auto place = [&](std::size_t k) -> Vec3 {
@@ -428,7 +429,7 @@ class VolumeTargets : TargetBuilder {
     return volume_metric(edges);
   }
 
-  /// What a target has besides VCVs: metrics times their shares.
+  /// The part of a target without VCVs: metrics times their shares.
   Eigen::Matrix3d common_part(Index e, const Eigen::Matrix3d& regular,
                               const std::array<Index, 4>& nodes) const {
     Eigen::Matrix3d sum = blend_.element * regular;
@@ -447,13 +448,13 @@ class VolumeTargets : TargetBuilder {
     return relative.between(own_share(e, 0.5 * relative.stretch()));
   }
 
-  /// The share of the mesh as given alone.
+  /// The `rest` part of a target.
   Eigen::Matrix3d rest_part(const std::array<Index, 4>& nodes) const {
     if (!(blend_.rest > 0)) return Eigen::Matrix3d::Zero();
     return blend_.rest * *own_metric(nodes);
   }
 
-  /// Of a corner in the mesh as given; none if it is inverted or flat.
+  /// Metric of a corner in the mesh as given; none if it is inverted or flat.
   std::optional<Eigen::Matrix3d> own_metric(const std::array<Index, 4>& nodes) const {
     Edges3 edges;
     for (int k = 0; k < 3; ++k) edges.col(k) = (*given_)[nodes[at(k + 1)]] - (*given_)[nodes[0]];
@@ -466,7 +467,7 @@ class VolumeTargets : TargetBuilder {
   int threads_;
   std::span<const Index> guarded_;
   std::vector<Origin> origins_;       // of each cell
-  std::optional<SpacePoints> given_;  // where the blend refers to it
+  std::optional<SpacePoints> given_;  // if the blend refers to it
   CellTargets<3> targets_;
 };
 

@@ -81,7 +81,7 @@ distortion::SimplexData TargetForm<D>::data(const double* points, const Index* n
   data.x = points;
   data.nodes = nodes;
   data.offsets = shapes_->offsets.data();
-  // The first member of the first term: a term is nothing but numbers.
+  // Points to the first member of the first term: terms consist only of numbers.
   data.terms = reinterpret_cast<const double*>(shapes_->terms.data());
   data.penalty = distortion::PenaltyFunction(this->penalty()).constants();
   if (regularisation) {

@@ -48,7 +48,7 @@ double determinant(const std::array<Vec3, 4>& p) {
   return (p[1] - p[0]).dot((p[2] - p[0]).cross(p[3] - p[0]));
 }
 
-/// Projects the Hessians of the cells, which are otherwise summed up.
+/// Replaces the Hessians of the cells in the sums by projected ones.
 void project(const CellTargets<2>& shapes, const double* x, const PenaltyFunction& psi,
              std::span<const Index> cells, double* sums) {
   for (const Index t : cells) {
@@ -60,7 +60,7 @@ void project(const CellTargets<2>& shapes, const double* x, const PenaltyFunctio
 
 }  // namespace
 
-/// One block of rows as it is summed up.
+/// Work memory for the sums of one block of rows.
 template <int D>
 struct SimplexWinslow<D>::BlockMemory {
   static constexpr std::size_t chunk = 64;  // cells whose sums stay in the fast caches
@@ -115,8 +115,8 @@ std::vector<double> SimplexWinslow<D>::determinants(const Coordinates& x,
   return list;
 }
 
-/// visit(part, block, first and last position of the block's rows, memory to work in), blocks in
-/// parallel; a part is what one sum of norms covers.
+/// visit(part, block, first and last position of the block's rows, work memory), blocks in
+/// parallel; a part is the range of one NormSum.
 template <int D>
 template <typename Visit>
 void SimplexWinslow<D>::for_each_block(Visit&& visit) const {
@@ -131,8 +131,8 @@ void SimplexWinslow<D>::for_each_block(Visit&& visit) const {
   });
 }
 
-/// The sums of a block's rows and, with_matrix, its part of the Hessian. Returns the energy of the
-/// cells that no earlier block has, with the matrix only.
+/// Computes the sums of a block's rows and, if with_matrix, its part of the Hessian. With the
+/// matrix, returns the energy of the cells that are in no earlier block.
 template <int D>
 double SimplexWinslow<D>::sum_block(const SimplexData& data, bool is_projected, bool with_matrix,
                                     Index block, BlockMemory& memory) const {
@@ -179,8 +179,7 @@ double SimplexWinslow<D>::worst_distortion(const Coordinates& x) const {
   });
 }
 
-/// Of a plane mesh none: the curves that its nodes slide on have no folds but at corners, which
-/// stay.
+/// Null for a plane mesh: its curves have folds only at corners, which are fixed.
 template <int D>
 std::shared_ptr<const EnergyProblem> SimplexWinslow<D>::holding_stuck_nodes(
     const Coordinates& x, std::span<const double> direction, double step) const {
@@ -240,7 +239,7 @@ Linearisation SimplexWinslow<D>::assemble(const Coordinates& x,
       const RowSum<D> sum = memory.row(p - first);
       double* diagonal =
           out.values.data() + block_size * static_cast<std::ptrdiff_t>(pattern.diagonal[row]);
-      // Its parts are rounded apart: make the diagonal symmetric.
+      // The parts round differently: make the diagonal symmetric.
       for (int i = 0; i < D; ++i) {
         for (int j = 0; j < D; ++j)
           diagonal[D * i + j] =

@@ -19,7 +19,7 @@ constexpr bool supernodal = true;
 constexpr bool supernodal = false;
 #endif
 
-/// Block rows from which METIS finds orderings with less fill than AMD does, in the plane.
+/// Number of block rows above which METIS gives less fill-in than AMD, in the plane.
 constexpr Index metis_limit = 20'000;
 
 /// CHOLMOD's settings, memory statistics and last error.
@@ -30,7 +30,7 @@ class Common {
     common_.print = 0;
     common_.error_handler = nullptr;
     common_.try_catch = 1;
-    // L L^T throughout: L D L^T would let an indefinite matrix pass.
+    // Always L L^T: L D L^T would accept an indefinite matrix.
     common_.final_ll = 1;
     common_.supernodal = supernodal ? CHOLMOD_AUTO : CHOLMOD_SIMPLICIAL;
     common_.nmethods = 1;
@@ -44,7 +44,7 @@ class Common {
   cholmod_common* get() { return &common_; }
   int status() const { return common_.status; }
 
-  /// Throws what the last call failed by. Warnings pass.
+  /// Throws the error of the last call. Ignores warnings.
   void check() const {
     if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
     if (common_.status < CHOLMOD_OK) {
@@ -57,10 +57,10 @@ class Common {
   cholmod_common common_;
 };
 
-/// Has the calling thread's CHOLMOD work alone while it exists. CHOLMOD asks OpenMP for four
-/// threads for every supernode, whatever OMP_NUM_THREADS says: on two cores the motion of a small
-/// mesh took twice as long, most of it waiting. The OpenMP runtime is CHOLMOD's, if it was built
-/// with one.
+/// Restricts CHOLMOD in the calling thread to one thread while this object exists. CHOLMOD requests
+/// four OpenMP threads for every supernode, regardless of OMP_NUM_THREADS: on two cores the motion
+/// of a small mesh took twice as long, mostly waiting. Uses CHOLMOD's OpenMP runtime, if it was
+/// built with one.
 class WithoutOpenMP {
  public:
   WithoutOpenMP() {
@@ -195,7 +195,7 @@ class CholmodCholesky final : public Factorisation {
 
   void analyse(const SparseMatrix& matrix) {
     cholmod_free_factor(&factor_, common_.get());
-    // Supernodes are BLAS's work.
+    // Supernodal factorisation calls BLAS.
     if (supernodal && !blas_has_memory()) common_.get()->supernodal = CHOLMOD_SIMPLICIAL;
     std::vector<Index> permutation = order(matrix);
     cholmod_sparse a = view();
@@ -206,7 +206,7 @@ class CholmodCholesky final : public Factorisation {
   Common common_;
   EigenMatrix matrix_{EigenMatrix::Part::lower};
   cholmod_factor* factor_ = nullptr;
-  cholmod_dense* solution_ = nullptr;  // kept, as the two below, from solve to solve
+  cholmod_dense* solution_ = nullptr;  // reused by later solves, like the next two
   cholmod_dense* work_y_ = nullptr;
   cholmod_dense* work_e_ = nullptr;
   std::string ordering_ = "AMD";

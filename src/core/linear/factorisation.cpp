@@ -33,7 +33,7 @@ void EigenMatrix::adopt(const SparseMatrix& source) {
   block_ = at(source.block);
   const Index n = source.rows();
   const auto blocks = pattern_->columns.size();
-  // Of the lower triangle: half of the blocks off the diagonal, and the triangles on it.
+  // Lower triangle: half of the off-diagonal blocks, and triangles on the diagonal.
   const auto diagonal = at(pattern_->rows());
   const std::size_t entries = part_ == Part::all ? blocks * block_ * block_
                                                  : (blocks - diagonal) / 2 * block_ * block_ +
@@ -126,15 +126,15 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 
 #if defined(WINSLOW_HAS_KLU)
-/// The analysis, which does not fail on square matrices for any other reason, leaves nothing that
-/// the factorisation takes for valid.
+/// On square matrices the analysis can fail only for lack of memory; the factorisation then finds
+/// no valid analysis.
 bool ran_out_of_memory(Eigen::KLU<Matrix>& lu) {
   const int status = lu.kluCommon().status;
   return status == KLU_OUT_OF_MEMORY || status == KLU_TOO_LARGE || status == KLU_INVALID;
 }
 #endif
 #if defined(WINSLOW_HAS_UMFPACK)
-/// The analysis, which leaves no other trace of its failure, does not fail on square matrices.
+/// The analysis does not report its failure otherwise, but does not fail on square matrices.
 bool ran_out_of_memory(const Eigen::UmfPackLU<Matrix>& lu) {
   return lu.umfpackFactorizeReturncode() == UMFPACK_ERROR_out_of_memory ||
          lu.umfpackFactorizeReturncode() == UMFPACK_ERROR_invalid_Symbolic_object;
@@ -142,16 +142,16 @@ bool ran_out_of_memory(const Eigen::UmfPackLU<Matrix>& lu) {
 #endif
 template <typename OfEigen>
 bool ran_out_of_memory(const OfEigen&) {
-  return false;  // it throws
+  return false;  // reports by an exception instead
 }
 
-/// By a solver of Eigen's, or one that has the same members.
+/// A factorisation by a solver of Eigen, or one with the same interface.
 template <typename Solver, EigenMatrix::Part part = EigenMatrix::Part::all>
 class EigenFactorisation final : public Factorisation {
  public:
   explicit EigenFactorisation(const char* name) : name_(name) {
 #if defined(WINSLOW_HAS_UMFPACK)
-    // No steps of iterative refinement: residuals are at round-off without.
+    // No iterative refinement: residuals are already at round-off.
     if constexpr (std::is_same_v<Solver, Eigen::UmfPackLU<Matrix>>) {
       solver_.umfpackControl()(UMFPACK_IRSTEP) = 0;
     }
@@ -209,7 +209,7 @@ std::unique_ptr<Factorisation> make_cholesky() {
 std::unique_ptr<Factorisation> make_lu([[maybe_unused]] Index rows) {
 #if defined(WINSLOW_HAS_UMFPACK)
 #if defined(WINSLOW_HAS_KLU)
-  // Below, dense kernels do not pay for themselves.
+  // For smaller matrices dense kernels are not faster.
   constexpr Index umfpack_limit = 8'000;
   if (rows < umfpack_limit || !blas_has_memory())
     return std::make_unique<EigenFactorisation<Eigen::KLU<Matrix>>>("KLU sparse LU");

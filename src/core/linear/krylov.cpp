@@ -11,8 +11,8 @@ namespace {
 
 using Vector = std::vector<double>;
 
-/// The least-squares problem of GMRES, min |beta e1 - H y|, kept triangular by Givens rotations as
-/// columns arrive.
+/// The least-squares problem of GMRES, min |beta e1 - H y|. Givens rotations keep H triangular as
+/// columns are added.
 class HessenbergLeastSquares {
  public:
   HessenbergLeastSquares(std::size_t size, double beta)
@@ -20,7 +20,7 @@ class HessenbergLeastSquares {
     g_[0] = beta;
   }
 
-  /// Takes the column k + 1 long plus the subdiagonal entry. Returns the norm of the residual.
+  /// Adds a column of length k + 1 plus the subdiagonal entry. Returns the norm of the residual.
   double add_column(std::span<const double> column) {
     const std::size_t k = count_++;
     double* h = &h_[k * (size_ + 1)];
@@ -125,7 +125,7 @@ LinearResult conjugate_gradients(const SparseMatrix& matrix,
     }
     r2 = advance(rz / curvature, p, q, x, r, threads);
     if (r2 <= goal2 || k == options.max_iterations) {
-      // Not the one that the iteration updates: round-off makes them drift apart.
+      // The true residual: round-off makes the updated one drift from it.
       return {k, std::sqrt(defect(matrix, b, x, r, threads) / b2)};
     }
     precondition(r, z);

@@ -17,7 +17,7 @@ namespace {
 
 /// Sparse Cholesky for symmetric matrices, sparse LU for others. With the factor of an earlier
 /// matrix (set_matrix with keep) it solves by conjugate gradients or GMRES preconditioned by that
-/// factor, and factorises after all where that does not converge.
+/// factor, and factorises if that does not converge.
 class DirectSolver final : public LinearSolver {
  public:
   DirectSolver(const LinearOptions& options, int threads)
@@ -40,7 +40,7 @@ class DirectSolver final : public LinearSolver {
   LinearResult solve(std::span<const double> rhs, int columns, std::span<double> x) override {
     if (matrix_->rows() == 0) return {1, 0};
     if (outdated_) {
-      // A factorisation takes about as long as so many iterations with the old factor.
+      // A factorisation takes about as long as this number of iterations with the old factor.
       constexpr int worthwhile = 12;
       KrylovOptions few = krylov_;
       few.max_iterations = std::min(few.max_iterations, worthwhile);
@@ -49,7 +49,7 @@ class DirectSolver final : public LinearSolver {
           *matrix_,
           [&](std::span<const double> r, std::span<double> z) { factor_->solve(r, 1, z); }, few,
           rhs, columns, x);
-      // Slack for what round-off makes of the residual that the iteration updates.
+      // The factor 2 allows for round-off in the updated residual.
       if (corrected.relative_residual <= 2 * krylov_.tolerance) return corrected;
       std::copy(guess.begin(), guess.end(), x.begin());
       factorise();
@@ -59,7 +59,8 @@ class DirectSolver final : public LinearSolver {
   }
 
  private:
-  /// What depends on pattern, block size and symmetry alone can be kept for the matrix.
+  /// Whether data that depend only on pattern, block size and symmetry can be reused for the
+  /// matrix.
   bool fits(const SparseMatrix& matrix) const {
     return pattern_ == matrix.pattern && block_ == matrix.block && symmetric_ == matrix.symmetric;
   }
@@ -77,7 +78,7 @@ class DirectSolver final : public LinearSolver {
 
   KrylovOptions krylov_;
   std::unique_ptr<Factorisation> factor_;
-  std::shared_ptr<const SparsityPattern> pattern_;  // of the factor, as the two below
+  std::shared_ptr<const SparsityPattern> pattern_;  // of the factor, like the next two
   int block_ = 0;
   bool symmetric_ = false;
   bool factorised_ = false;
@@ -85,7 +86,7 @@ class DirectSolver final : public LinearSolver {
   const SparseMatrix* matrix_ = nullptr;
 };
 
-/// A Krylov method on a copy of the matrix in an order that is good to caches.
+/// A Krylov method on a copy of the matrix in a cache-friendly order.
 class KrylovSolver final : public LinearSolver {
  public:
   enum class Method { conjugate_gradients, gmres };
@@ -165,7 +166,7 @@ std::vector<double> inverse_diagonal(const SparseMatrix& matrix) {
 }
 
 /// Gauss-Seidel sweeps over the rows of blocks, alternately forward and backward: the simple solver
-/// that AIAA 2009-1362 mentions first. There is nothing of a matrix that it could keep.
+/// that AIAA 2009-1362 mentions first. It has no data to keep from an earlier matrix.
 class PointImplicitSolver final : public LinearSolver {
  public:
   PointImplicitSolver(const LinearOptions& options, int threads)
@@ -237,10 +238,10 @@ class PointImplicitSolver final : public LinearSolver {
   std::vector<double> inverse_;
 };
 
-/// Name of the solver that suits a matrix, by its size, symmetry and number of unknowns a row.
+/// Chooses a solver for a matrix by its size, symmetry and number of unknowns per row.
 std::string_view suitable_solver(const SparseMatrix& matrix) {
-  // Unknowns up to which a factorisation is the faster, as measured by bench/linear_bench. Three
-  // unknowns a row are those of a mesh in space, where factors fill in much more.
+  // Number of unknowns up to which a factorisation is faster, as measured by bench/linear_bench.
+  // Three unknowns per row indicate a mesh in space, where factors have much more fill-in.
   constexpr Index cholesky_limit = 10'000, cholesky_limit_in_space = 5'000;
   constexpr Index lu_limit = 400'000, lu_limit_in_space = 1'000;
   if (!matrix.symmetric)
@@ -249,7 +250,7 @@ std::string_view suitable_solver(const SparseMatrix& matrix) {
   return matrix.rows() <= limit ? "direct" : "multigrid";
 }
 
-/// Hands every matrix to the solver that suits it.
+/// Uses a suitable solver for every matrix.
 class AutomaticSolver final : public LinearSolver {
  public:
   AutomaticSolver(const LinearOptions& options, int threads)
@@ -276,8 +277,9 @@ class AutomaticSolver final : public LinearSolver {
     chosen_->set_matrix(matrix, keep);
   }
 
-  /// Where an iteration fails, a factorisation knows: it solves, or says what the matrix is. Of
-  /// large meshes in space it would take minutes and all memory: there the iteration has the word.
+  /// If an iteration fails, a factorisation either solves the system or identifies the matrix as
+  /// singular or indefinite. For large meshes in space it would take minutes and all memory: there
+  /// the result of the iteration is final.
   LinearResult solve(std::span<const double> rhs, int columns, std::span<double> x) override {
     if (factorised_) return fallback_->solve(rhs, columns, x);
     if (chosen_->name() == direct) return chosen_->solve(rhs, columns, x);
@@ -288,7 +290,7 @@ class AutomaticSolver final : public LinearSolver {
       if (result.relative_residual <= usable * options_.tolerance || !can_factorise())
         return result;
     } catch (const NumericError&) {
-      // Broken down, or not positive definite after all.
+      // Breakdown, or the matrix is not positive definite.
       if (!can_factorise()) throw;
     }
     if (!fallback_) {
@@ -304,8 +306,8 @@ class AutomaticSolver final : public LinearSolver {
  private:
   static constexpr std::string_view direct = "direct";
 
-  /// Where a factorisation takes the place of an iteration. In the plane and on surfaces its work
-  /// grows with the power 3/2 of the size, that of an iteration in proportion.
+  /// Limits at which a factorisation replaces an iteration. In the plane and on surfaces its work
+  /// grows with the power 3/2 of the size, that of an iteration linearly.
   struct Limits {
     Index factorise;   ///< largest matrix of which a factorisation is worth its memory, if need be
     Index hard;        ///< largest of which it is the faster where an iteration is slow
@@ -319,8 +321,8 @@ class AutomaticSolver final : public LinearSolver {
   }
   bool can_factorise() const { return matrix_->rows() <= limits().factorise; }
 
-  /// On stretched meshes multigrid takes many iterations, and a factorisation is the faster up to
-  /// much larger ones; beyond that its memory stands against it.
+  /// On stretched meshes multigrid needs many iterations, and a factorisation is faster up to much
+  /// larger meshes; above that it needs too much memory.
   void remember_if_hard(const LinearResult& result) {
     const auto& [factorise, hard, many, many_rows] = limits();
     const double growth = many_rows > 0 ? std::sqrt(matrix_->rows() / many_rows) : 1;
@@ -331,9 +333,9 @@ class AutomaticSolver final : public LinearSolver {
   LinearOptions options_;
   int threads_;
   const SparseMatrix* matrix_ = nullptr;
-  std::shared_ptr<const SparsityPattern> hard_;  // of matrices that multigrid is slow on, if any
+  std::shared_ptr<const SparsityPattern> hard_;  // pattern on which multigrid is slow, if any
   std::unique_ptr<LinearSolver> fallback_;       // made when first needed
-  bool factorised_ = false;                      // the fallback has the present matrix
+  bool factorised_ = false;                      // the fallback holds the present matrix
   std::unique_ptr<LinearSolver> chosen_;
 };
 

@@ -30,8 +30,8 @@ Eigen::LLT<Eigen::Matrix<double, B, B>> factor_diagonal(const SparseMatrix& matr
   return llt;
 }
 
-/// How much the connections of a row to other runs weigh in units of the diagonal: the sum of the
-/// Frobenius norms of D_i^-1/2 A_ij D_j^-1/2 over the columns outside [begin, end).
+/// Weight of a row's connections to other runs relative to the diagonal: the sum of the Frobenius
+/// norms of D_i^-1/2 A_ij D_j^-1/2 over the columns outside [begin, end).
 template <int B>
 double outside_weight(const SparseMatrix& matrix, Index row, Index begin, Index end) {
   const SparsityPattern& p = *matrix.pattern;
@@ -134,7 +134,7 @@ void GaussSeidel::backward_rows(std::span<const Real> b, std::span<const Real> b
   for (auto i = at(end); i-- > at(begin);) {
     Real inside[B], first[B], last[B], step[B];
     product<B>(inside_[2 * i], inside_[2 * i + 1], x, inside);
-    // Other runs are at work on theirs.
+    // Other threads may be changing x in other runs.
     product<B>(p.offsets[i], inside_[2 * i], before, first);
     product<B>(inside_[2 * i + 1], p.offsets[i + 1], before, last);
     for (std::size_t k = 0; k < B; ++k) inside[k] = b[i * B + k] - first[k] - inside[k] - last[k];
@@ -174,13 +174,14 @@ void GaussSeidel::defect(std::span<const Real> b, std::span<const Real> x, std::
 
 namespace {
 
-/// Rows of blocks at and below which a level is solved by dense Cholesky.
+/// Largest number of block rows of a level that is solved by dense Cholesky.
 constexpr Index dense_rows = 100;
-/// Entries weaker than this do not interpolate; halved from level to level, as stencils widen.
+/// Entries weaker than this are not used for interpolation; halved at every level, as stencils
+/// widen.
 constexpr double finest_strength = 0.04;
 
 struct Level {
-  SparseMatrix own;  // the matrix, of all levels but the finest
+  SparseMatrix own;  // the matrix; unused on the finest level
   GaussSeidel smoother;
   std::optional<Prolongation> prolongation;  // from the next level, if there is one
   Eigen::LLT<Eigen::MatrixXd> dense;         // of the last level, if it is small
@@ -218,7 +219,7 @@ class Multigrid final : public Preconditioner {
       levels_.clear();
       levels_.emplace_back();
     }
-    pattern_ = nullptr;  // until all is well
+    pattern_ = nullptr;  // until the build succeeds
     double strength = finest_strength;
     for (std::size_t l = 0; build_level(l, finest, fresh, strength); ++l) strength /= 2;
     pattern_ = finest.pattern;
@@ -227,7 +228,8 @@ class Multigrid final : public Preconditioner {
 
   void apply(std::span<const double> r, std::span<double> z) override {
     Level& finest = levels_.front();
-    // A power of two brings the numbers into the range of single precision, and changes no digit.
+    // Scaling by a power of two brings the numbers into the range of single precision without
+    // rounding.
     double largest = 0;
     for (const double v : r) largest = std::max(largest, std::abs(v));
     const double scale =
@@ -295,8 +297,8 @@ class Multigrid final : public Preconditioner {
     level.smoother.backward(level.b, level.before, level.x, threads_);
   }
 
-  /// A second cycle on what the first has left over. Coarsening is so fast that it costs little,
-  /// and it keeps the iterations from growing with the number of levels.
+  /// A second cycle on the remaining residual (W-cycle). It is cheap because coarsening is fast,
+  /// and it keeps the iteration count independent of the number of levels.
   void visit_twice(std::size_t l) {
     cycle(l);
     Level& level = levels_[l];

@@ -75,8 +75,8 @@ class IncompleteCholesky final : public Preconditioner {
     }
   }
 
-  /// Entry e of a row, in column k: subtracts what the row (so far L D) and row k (L) have in
-  /// common before column k.
+  /// Updates entry e of a row, in column k: subtracts the product of the row (so far L D) and row k
+  /// (L) over the columns before k.
   template <int B>
   void eliminate(std::size_t first, std::size_t e, Index begin) {
     const SparsityPattern& p = *pattern_;
@@ -149,7 +149,7 @@ class IncompleteLu final : public Preconditioner {
 
   void build(const SparseMatrix& matrix) override {
     if (matrix_.assign(matrix)) {
-      // Not analyzePattern: Eigen's ILUT would be asked for a status that it has not set yet.
+      // Not analyzePattern(): it would read a status that Eigen's ILUT has not set yet.
       ilut_.compute(matrix_.matrix());
     } else {
       ilut_.factorize(matrix_.matrix());

@@ -21,7 +21,7 @@ void each_neighbour(const SparsityPattern& graph, std::span<const char> strong, 
   }
 }
 
-/// Graph of the patches: two are connected if rows of theirs are.
+/// Graph of the patches: two patches are connected if any of their rows are.
 SparsityPattern patch_graph(const SparsityPattern& graph, const Aggregates& patches) {
   std::vector<Index> start(at(patches.count) + 1, 0), members(graph.diagonal.size());
   for (const Index p : patches.of_row) {
@@ -53,7 +53,7 @@ SparsityPattern patch_graph(const SparsityPattern& graph, const Aggregates& patc
   return result;
 }
 
-/// Rows sorted by the place of their patch, which keeps patches together.
+/// Sorts rows by the position of their patch, which keeps patches together.
 std::vector<Index> sorted_by_patch(const Aggregates& patches,
                                    const std::vector<Index>& patch_order) {
   std::vector<Index> start(at(patches.count) + 2, 0), place(at(patches.count));
@@ -78,7 +78,7 @@ Aggregates aggregate(const SparsityPattern& graph, std::span<const char> strong)
   Aggregates result;
   std::vector<Index>& of = result.of_row;
   of.assign(at(n), -1);
-  // Whole neighbourhoods that nobody has touched.
+  // First round: whole neighbourhoods of unassigned rows.
   for (Index i = 0; i < n; ++i) {
     bool free = of[at(i)] < 0, connected = false;
     each_neighbour(graph, strong, i, [&](Index j) {
@@ -90,7 +90,7 @@ Aggregates aggregate(const SparsityPattern& graph, std::span<const char> strong)
     each_neighbour(graph, strong, i, [&](Index j) { of[at(j)] = result.count; });
     ++result.count;
   }
-  // What is left over joins a neighbour of the first round, the smallest for even sizes.
+  // Remaining rows join the smallest adjacent patch of the first round, for even sizes.
   const std::vector<Index> first = of;
   std::vector<Index> size(at(result.count), 0);
   for (const Index a : of) {
@@ -106,7 +106,7 @@ Aggregates aggregate(const SparsityPattern& graph, std::span<const char> strong)
     of[at(i)] = best;
     if (best >= 0) ++size[at(best)];
   }
-  // Where the connections are one-way, some have no such neighbour: they stay among themselves.
+  // With one-way connections some rows have no such neighbour: these form their own patches.
   for (Index i = 0; i < n; ++i) {
     if (of[at(i)] >= 0) continue;
     bool connected = false;
@@ -234,7 +234,7 @@ void Prolongation::build_rows(const SparseMatrix& matrix, Index begin, Index end
     for (auto e = at(p.offsets[i]); e < at(p.offsets[i + 1]); ++e) {
       if (!strong_[e]) lumped += block(e);
     }
-    // Lumping can eat up the diagonal; then it is left out for this row.
+    // Lumping can make the diagonal too small; then it is omitted for this row.
     const double scale = block(diagonal).trace() / B;
     lumped = (0.5 * (lumped + lumped.transpose())).eval();
     if (!invert<B>(lumped, scale, inverse)) {
@@ -272,7 +272,7 @@ void Prolongation::prolong(std::span<const Real> coarse, std::span<Real> x, std:
 void Prolongation::restrict(std::span<const Real> r, std::span<Real> coarse, int threads) const {
   with_block(block_, [&](auto size) {
     constexpr std::size_t B = size();
-    constexpr Index coarse_block = 256;  // there are few of these rows, and each takes long
+    constexpr Index coarse_block = 256;  // few rows, each expensive
     parallel_for(
         worthwhile(threads, values_.size()), coarse_rows(),
         [&](Index begin, Index end) {
@@ -294,7 +294,7 @@ void Prolongation::restrict(std::span<const Real> r, std::span<Real> coarse, int
 
 namespace {
 
-/// Rows of the coarse matrix at a time: there are few of them, and each takes long.
+/// Rows of the coarse matrix per block: there are few rows, and each is expensive.
 constexpr Index coarse_block = 256;
 
 /// See BlockKernel.

@@ -113,7 +113,7 @@ double relative_residual(const SparseMatrix& matrix, std::span<const double> rhs
     const double defect2 = defect(matrix, b, y, r, threads);
     const double rhs2 = dot(b, b, threads);
     const double relative = std::sqrt(rhs2 > 0 ? defect2 / rhs2 : defect2);
-    // A solution that is not finite must not pass for an exact one.
+    // A solution that is not finite must not count as exact.
     finite = finite && std::isfinite(relative);
     worst = std::max(worst, relative);
   });

@@ -28,11 +28,11 @@ EnergyNewton::EnergyNewton(std::shared_ptr<const EnergyProblem> problem, LinearS
   linear_.set_tolerance(tight_);
 }
 
-/// Relative residual to which the next step is solved. Far from the solution the linear model is
-/// worth no more than a digit beyond the residual; falling with it, the tolerance leaves the end of
-/// the iteration as fast as exact solves would, and the last step need reach the tolerance only.
-/// But the entries of one matrix lie many orders of magnitude apart where an element is near to
-/// inversion: what is left of a loose residual can be all that matters there.
+/// Relative residual for the linear solve of the next step. Far from the solution the linear model
+/// justifies only one digit more than the residual. The tolerance decreases with the residual, so
+/// the final iterations converge as fast as with exact solves, and the last step need only reach
+/// the tolerance. But if an element is near inversion, the matrix entries differ by many orders of
+/// magnitude, and a loose residual may leave the critical part unsolved.
 double EnergyNewton::forcing() const {
   constexpr double share = 0.1, loosest = 1e-2;
   if (slender() || record_.damping < 1) return tight_;
@@ -60,17 +60,17 @@ IterationRecord EnergyNewton::start(const Coordinates& x) {
 }
 
 void EnergyNewton::factorise(const Coordinates& x) {
-  // Far from the solution the exact Hessian is mostly indefinite, which costs a factorisation to
-  // find out, and which an inexact solver may never do. Where the last one was, the next one mostly
-  // is too, until the steps are full again.
+  // Far from the solution the exact Hessian is usually indefinite. Detecting this costs a
+  // factorisation, and an inexact solver may never detect it. If the last one was indefinite, the
+  // next one usually is too, until full steps are accepted again.
   constexpr double far = 0.1, close = 0.05;  // scaled residual
   const bool try_exact = record_.residual <= far && (exact_ || record_.damping >= 1);
   if (!try_exact || !factorise_exact(x, record_.residual <= close)) factorise_projected(x);
 }
 
 bool EnergyNewton::factorise_exact(const Coordinates& x, bool may_raise) {
-  // So near to the solution the last exact Hessian still makes a good preconditioner: 10 % of the
-  // time of a motion with Cholesky factors, 3 % with multigrid. Further away it costs more.
+  // This near to the solution the last exact Hessian is still a good preconditioner: it saves 10 %
+  // of the time of a motion with Cholesky factors, 3 % with multigrid. Further away it costs more.
   constexpr double near = 0.01;  // scaled residual
   const bool keep = linearised() && exact_ && record_.residual <= near && !slender();
   linearised_.reset();
@@ -103,7 +103,7 @@ void EnergyNewton::factorise_projected(const Coordinates& x) {
   linearised_ = problem_;
 }
 
-/// Returns the slope of the energy along the direction, downhill.
+/// Returns the rate of decrease of the energy along the direction.
 double EnergyNewton::solve_for_direction(const Coordinates& x) {
   factorise(x);
   std::fill(direction_.begin(), direction_.end(), 0.0);
@@ -112,7 +112,7 @@ double EnergyNewton::solve_for_direction(const Coordinates& x) {
     record_.linear_iterations = linear_.solve(residual_, 1, direction_).iterations;
     if (const double slope = dot(residual_, direction_); slope > 0) return slope;
   } catch (const NotPositiveDefinite&) {
-    // An iterative solver finds out only now.
+    // An iterative solver detects an indefinite matrix only now.
   }
   factorise_projected(x);
   ++linear_solves_;
@@ -127,9 +127,9 @@ EnergyNewton::Trial EnergyNewton::attempt(const Coordinates& x, double t) const 
   return trial;
 }
 
-/// Where the projected Hessian has taken the full step, a longer one if it leads further down: what
-/// is left out of the Hessian is negative curvature, and the model is the stiffer for it, by a
-/// third in the first steps on a mesh of a generator.
+/// After a full step with the projected Hessian, tries a longer one that lowers the energy further.
+/// The projection removes negative curvature, so the model is too stiff: by a third in the first
+/// steps on generated meshes.
 void EnergyNewton::lengthen(const Coordinates& x, double slope, Trial& trial) const {
   constexpr double worthwhile = 1.2, longest = 2;
   const double t = std::min(longest, longer_step(slope, trial.energy - energy_));
@@ -140,7 +140,7 @@ void EnergyNewton::lengthen(const Coordinates& x, double slope, Trial& trial) co
 
 bool EnergyNewton::search(Coordinates& x, double slope, double shortest) {
   constexpr double armijo = 1e-4;
-  constexpr double flat = 1e-11;  // relative change of the energy that round-off can make
+  constexpr double flat = 1e-11;  // relative change of the energy that round-off can cause
   constexpr int most_trials = 30;
   double t = first_valid_step(*problem_, direction_, 1, x);
   for (int i = 0; i < most_trials && t >= shortest; ++i) {
@@ -150,8 +150,8 @@ bool EnergyNewton::search(Coordinates& x, double slope, double shortest) {
     if (!good && std::abs(trial.energy - energy_) <= flat * energy_) {
       good = problem_->residual(trial.x, {}).max < record_.residual;
     }
-    // The energy is a barrier at the corners of elements only: the Jacobian of a hexahedron can
-    // change its sign inside before.
+    // The energy is a barrier only at the corners of elements: the Jacobian of a hexahedron can
+    // change its sign inside first.
     const Validity validity = good ? problem_->validity(trial.x) : Validity{};
     if (good && (validity.inverted == 0 || record_.inverted > 0)) {
       x = std::move(trial.x);
@@ -166,11 +166,11 @@ bool EnergyNewton::search(Coordinates& x, double slope, double shortest) {
   return false;
 }
 
-/// A step of a share t lowers the energy by about t of the slope where the model holds. Where the
-/// energy has kinks that no held node takes away (folds of a surface between slivers, thousands at
-/// once) a line search goes on for ever, by ever less. So: the steps of a window together have
-/// gained less than a tenth of what the model promises of the next one alone, and the residual is
-/// no lower by a tenth either.
+/// If the model holds, a step with share t lowers the energy by about t times the slope. If the
+/// energy has kinks that holding nodes does not remove (thousands of surface folds between
+/// slivers), line searches continue forever with decreasing gain. Therefore: the iteration
+/// stagnates if all steps of a window together gained less than a tenth of the gain predicted for
+/// the next step, and the residual did not decrease by a tenth.
 bool EnergyNewton::stagnates(double slope) const {
   constexpr std::ptrdiff_t window = 40;
   constexpr double worthwhile = 0.1;
@@ -188,7 +188,8 @@ IterationRecord EnergyNewton::step(Coordinates& x) {
   if (problem_->unknowns() == 0) return record_;
   linear_.set_tolerance(forcing());
   const double slope = solve_for_direction(x);
-  linear_.set_tolerance(tight_);  // over a long way, what else is left exceeds small elements
+  linear_.set_tolerance(tight_);  // for a long motion, the error of a looser solve would exceed the
+                                  // size of small elements
   stalled_ = !search_down(
       problem_, x, direction_, slope, [&] { pass_checkpoint(); },
       [&] { return solve_for_direction(x); },
@@ -209,8 +210,8 @@ void EnergyNewton::respond(const Coordinates& x, const Coordinates& displacement
   if (!linearised() || !exact_) {
     if (!factorise_exact(x, true)) factorise_projected(x);
   }
-  // Both sides belong to the same coordinates: only then does the mesh at a body follow it rigidly,
-  // however far it moves.
+  // Both sides use the same coordinates: only then does the mesh at a body follow it rigidly over
+  // any distance.
   std::vector<double> response(out.size());
   problem_->boundary_response(linearised_at_, displacement, response);
   if (correct) {

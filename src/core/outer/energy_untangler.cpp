@@ -6,7 +6,7 @@ namespace winslow {
 
 namespace {
 
-/// Share of a cell's size by which its determinant is regularised at first.
+/// Initial regularisation of a determinant, as a share of the cell's size.
 constexpr double softest = 0.1;
 
 }  // namespace
@@ -20,17 +20,17 @@ EnergyUntangler::EnergyUntangler(std::shared_ptr<const UntanglingProblem> proble
       reference_(reference),
       interior_(interior) {}
 
-/// Relative residual to which the next system is solved.
+/// Relative residual for the next linear solve.
 double EnergyUntangler::forcing() const {
-  // In the plane what is left of a looser residual may be larger than the triangles at a small
-  // body. In space it takes as many steps either way, each of them half the time; but the harmonic
-  // step comes first and alone.
+  // In the plane the error of a looser solve may exceed the size of the triangles at a small body.
+  // In space a looser solve needs as many steps, each in half the time; but the harmonic step is a
+  // single one and must be accurate.
   const double loosest = hessian_.block == 3 && !harmonic_step() ? 1e-3 : 1e-6;
   return std::min(linear_tolerance_, loosest);
 }
 
-/// Once and for all: sizes measured anew as the mesh changes would let nodes that draw together go
-/// on to one point, the regularisation shrinking with their cells.
+/// Measures the sizes once. If they were measured again as the mesh changes, the regularisation
+/// would shrink with the cells of approaching nodes, and these could collapse to one point.
 void EnergyUntangler::measure_sizes(const Coordinates& x) {
   sizes_ = problem_->cell_sizes(reference_ ? *reference_ : x);
 }
@@ -90,7 +90,8 @@ bool EnergyUntangler::search(Coordinates& x, double slope, double shortest) {
   for (int trial = 0; trial < most_trials && t >= shortest; ++trial, t *= 0.5) {
     Coordinates candidate = x;
     const double move = problem_->advance(direction_, t, candidate);
-    // To the minimum of a quadratic form needs no search, which round-off would end if x is there.
+    // The minimum of a quadratic form needs no search; round-off would end a search if x is already
+    // the minimum.
     if (!harmonic_step() &&
         problem_->regularised_energy(candidate, regularisation_) > energy - armijo * t * slope) {
       continue;

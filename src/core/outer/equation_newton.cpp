@@ -107,7 +107,7 @@ bool EquationNewton::search_frozen(Coordinates& x) {
 IterationRecord EquationNewton::step(Coordinates& x) {
   ++record_.iteration;
   if (present()->unknowns() == 0) return record_;
-  // A Newton step that has to be cut this short has left the range of its linear model.
+  // A Newton step that is cut to less than this is outside the range of its linear model.
   constexpr double short_step = 0.5;
   constexpr double smallest_step = 1e-3;
   const bool regular = solve_newton(x);
@@ -127,8 +127,8 @@ void EquationNewton::respond(const Coordinates& x, const Coordinates& displaceme
                              bool /*correct*/, std::span<double> out) {
   try {
     if (!linearised_) factorise(x);
-    // Both sides belong to the same coordinates: only then does the mesh at a body follow it
-    // rigidly, however far it moves.
+    // Both sides use the same coordinates: only then does the mesh at a body follow it rigidly over
+    // any distance.
     std::vector<double> response(out.size());
     linearised_->boundary_response(linearised_at_, displacement, response);
     solve(response, 1, out);

@@ -36,7 +36,7 @@ void shift_diagonal(SparseMatrix& matrix, double share) {
 
 namespace {
 
-/// Calls attempt() with a matrix whose diagonal grows until it no longer throws.
+/// Calls attempt() with a growing diagonal of the matrix until it no longer throws.
 template <typename Attempt>
 void until_positive_definite(SparseMatrix& matrix, Attempt&& attempt) {
   constexpr double first = 1e-10, growth = 100;

@@ -4,7 +4,7 @@ namespace winslow {
 
 namespace {
 
-/// Of all nodes, from one mesh to another.
+/// Displacements of all nodes from one mesh to another.
 Coordinates displacements(const Coordinates& from, const Coordinates& to) {
   Coordinates out = to;
   const auto values = out.values();
@@ -35,7 +35,7 @@ PathFollower::Trial PathFollower::attempt(const Path& path, const Goal& goal, Co
   if (!trial.trusted) return trial;
   x = std::move(moved);
   const double tolerance = (goal.cut ? options_.tightened : 1) * options_.loose_tolerance;
-  constexpr double worthwhile = 1.2;  // rise of the smallest sine by one correction
+  constexpr double worthwhile = 1.2;  // growth of the smallest sine by one correction
   double before = 0;
   const auto off_path = [&] {
     if (record.residual > tolerance) return true;
@@ -55,7 +55,8 @@ PathFollower::Trial PathFollower::attempt(const Path& path, const Goal& goal, Co
       break;
     }
     if (record.damping < 1) trial.trusted = false;
-    // Steps cut short creep, at the cost of the worst conditioned systems: rather less at once.
+    // Repeatedly cut Newton steps progress slowly and solve the worst conditioned systems: a
+    // shorter path step is better.
     if (!trial.trusted && goal.may_shorten) return trial;
   }
   if (record.residual > options_.loose_tolerance) trial.trusted = false;
@@ -74,15 +75,15 @@ double PathFollower::go(const Path& path, double from, Coordinates& x, const Acc
   const double min_sine = solver_.problem().validity(x).min_sine;
   bool correct = true, cut = false;
   while (fraction < 1) {
-    // A last step that is a little longer saves a very short one.
+    // Slightly lengthens the last step to avoid a very short one.
     constexpr double stretch = 1.05;
     const double to = fraction + stretch * step >= 1 ? 1.0 : fraction + step;
     Coordinates trial_x = x;
     IterationRecord record;
-    // A correction does not get shorter with the step: where the path is hard to follow it would
-    // outweigh the prediction, and lead astray.
+    // The correction does not decrease with the step: where the path is hard to follow, it would
+    // dominate the prediction and lead away from the path.
     constexpr double long_step = 0.02;
-    // Where the problem changes, what x lacks to solve it is the prediction.
+    // If the problem changes, the correction from x is the prediction.
     const bool may_correct = path.change_problem || (correct && to - fraction > long_step);
     const bool may_shorten = to - fraction > options_.cautious_step;
     const Trial trial =

@@ -50,7 +50,7 @@ void AndersonAcceleration::accelerate(std::span<const double> x, std::span<doubl
 
 namespace {
 
-/// What a step is measured in, so that far-field cells do not drown wall cells.
+/// Weights for the norm of a step, so that far-field cells do not dominate wall cells.
 std::vector<double> inverse_lengths(const SmoothingProblem& problem, const Coordinates& x) {
   std::vector<double> weights(problem.unknowns());
   problem.lengths(x, weights);
@@ -58,8 +58,8 @@ std::vector<double> inverse_lengths(const SmoothingProblem& problem, const Coord
   return weights;
 }
 
-/// A mesh that is tangled by its unclipped solution would otherwise switch to and fro for ever:
-/// after this many times it stays clipped.
+/// If the unclipped solution tangles the mesh, clipping would otherwise alternate forever: after
+/// this many relapses it stays on.
 constexpr int most_relapses = 3;
 
 }  // namespace
