@@ -13,7 +13,7 @@ std::vector<TangentFrame> SlidingNodes::set(std::span<const Index> nodes,
                                             std::shared_ptr<const SlidingGeometry> geometry,
                                             const Coordinates& x) {
   if (geometry_.empty()) geometry_.resize(at(x.size()));
-  constexpr Index block = 512;  // a foot may take a search
+  constexpr Index block = 512;  // finding a foot may need a search
   std::vector<TangentFrame> frames(nodes.size());
   const auto find = [&](Index begin, Index end) {
     for (std::size_t i = at(begin); i < at(end); ++i)

@@ -73,8 +73,8 @@ void NodeUnknowns::require_sliding(const char* what) const {
   }
 }
 
-/// Velocity of nodes()[i], which is at `from`, where its unknowns change at the given rates
-/// (#unknowns of all nodes).
+/// Velocity of nodes()[i] at position `from` if its unknowns change at the given rates (#unknowns
+/// of all nodes).
 template <int D>
 Vec<D> NodeUnknowns::move_of(std::size_t i, const Vec<D>& from,
                              std::span<const double> rates) const {
@@ -127,7 +127,7 @@ void NodeUnknowns::place_others(Coordinates& x) const {
 }
 
 double NodeUnknowns::advance(std::span<const double> direction, double step, Coordinates& x) const {
-  constexpr Index block = 512;  // the way back to a curved surface takes a search
+  constexpr Index block = 512;  // returning to a curved surface needs a search
   const auto count = static_cast<Index>(nodes().size());
   std::vector<double> largest2(block_count(count, block), 0.0);
   in_dimension(x, [&]<int D>(const Points<D>&) {
@@ -137,7 +137,7 @@ double NodeUnknowns::advance(std::span<const double> direction, double step, Coo
         const Index node = nodes()[at(i)];
         const Vec<D> from = x.template get<D>(node);
         Vec<D> to = from + step * move_of<D>(at(i), from, direction);
-        // A move along the tangent leaves a curved boundary: back to it.
+        // A move along the tangent leaves a curved boundary: project back.
         if (classes_->slides(node)) to = classes_->foot(node, lifted(to)).point.template head<D>();
         x.template set<D>(node, to);
         largest = std::max(largest, (to - from).squaredNorm());
@@ -193,13 +193,13 @@ double NodeUnknowns::residual_round_off(const Coordinates& x) const {
       if (edge > 0) worst = std::max(worst, points[node].template lpNorm<Eigen::Infinity>() / edge);
     }
   });
-  // A tangled start can have edges of almost no length; it must not pass for converged.
+  // A tangled start can have edges of almost zero length; it must not count as converged.
   return std::min(safety * std::numeric_limits<double>::epsilon() * worst, 1e-7);
 }
 
 namespace {
 
-/// The surface turns between two feet by more than a fold at least does.
+/// Whether the surface direction changes between two feet by at least the angle of a fold.
 bool turns(const Foot& from, const Foot& to) {
   const double cos_fold = std::cos(10 * M_PI / 180);
   const int count = std::min(from.frame.count(), to.frame.count());
@@ -209,7 +209,7 @@ bool turns(const Foot& from, const Foot& to) {
   return std::abs(before.dot(to.frame[0].cross(to.frame[1]))) < cos_fold;
 }
 
-/// way: length of the step in the tangent plane.
+/// Whether a step crosses a jump or a fold. way: length of the step in the tangent plane.
 bool leads_astray(const NodeClasses& classes, Index node, const Foot& from, const Foot& to,
                   double way) {
   constexpr double far = 4;
@@ -231,7 +231,7 @@ Index add_nodes_led_astray(const NodeUnknowns& nodes, const Coordinates& x,
   const NodeClasses& classes = nodes.classes();
   const SpacePoints before(x), after(there);
   std::vector<unsigned char> astray(stuck.size(), 0);
-  constexpr Index block = 512;  // a foot may take a search
+  constexpr Index block = 512;  // finding a foot may need a search
   const auto find = [&](Index begin, Index end) {
     for (std::size_t row = at(begin); row < at(end); ++row) {
       const Index node = nodes.nodes()[row];

@@ -10,7 +10,7 @@ namespace winslow {
 
 namespace {
 
-/// What is called otherwise in space than in the plane.
+/// Words that differ between the plane and space.
 struct Words {
   const char *region, *wrong_count;
 };

@@ -16,10 +16,10 @@ namespace winslow {
 
 namespace {
 
-/// Rims of layers on their way from the wall outwards.
+/// Motion of the rims of layers from the wall outwards.
 class RimMotion final : public Motion {
  public:
-  /// From the share `begin` of the wanted thickness to all of it.
+  /// From the share `begin` of the wanted thickness to the whole thickness.
   RimMotion(const LayerStack& stack, double begin) : stack_(stack), begin_(begin) {
     for (const LayerColumn& column : stack_.columns) {
       if (column.count() > 0) rims_.push_back({column.rim(), &column});
@@ -44,8 +44,8 @@ class RimMotion final : public Motion {
   std::vector<Index> nodes_;
 };
 
-/// The largest of a falling sequence of shares of the thickness at which the elements outside are
-/// valid without any of them being moved; 0 if there is none.
+/// The largest of a decreasing sequence of thickness shares at which the elements outside stay
+/// valid without being moved; 0 if there is none.
 double first_share(const LayerInsertion& layers, const Coordinates& rest, Coordinates& x) {
   constexpr double least = 1e-9;
   for (double share = 1; share > least; share *= 0.5) {
@@ -56,12 +56,13 @@ double first_share(const LayerInsertion& layers, const Coordinates& rest, Coordi
   return 0;
 }
 
-/// Layers in a mesh where the elements outside have made room for them.
+/// Inserts layers and moves the elements outside to make room for them.
 LayerInsertion make_room(const LayerRequest& request, const MeshState& state, RunSequence& runs) {
   const LayerOptions options = with_counts(options_of(request), state.mesh);
   LayerStack plan = sound_plan(state.mesh, options);
   require_layers_inside(request.smooth.keep_outside, plan, state.mesh, options.walls);
-  SmoothOptions smooth;  // only valid meshes on the way count: the default, whatever was asked for
+  SmoothOptions
+      smooth;  // default options, ignoring the request: only valid intermediate meshes matter
   smooth.threads = request.smooth.threads;
   smooth.linear = request.smooth.linear;
   smooth.tolerance = 1e-3;
@@ -91,21 +92,21 @@ LayerInsertion make_room(const LayerRequest& request, const MeshState& state, Ru
   throw NumericError("the elements outside cannot be pushed away to make room for the layers");
 }
 
-/// From here on the VCVs and the roles of elements are those of these layers.
+/// Sets the VCVs and the roles of elements for these layers.
 void control_by(const LayerStack& stack, MeshState& state) {
   state.vcvs = layer_vcvs(state.mesh.topology, stack, *state.vcvs.plane(), state.mesh.coordinates);
   state.roles = layer_roles(*state.mesh.topology, stack);
 }
 
 /// Smooths towards the wanted heights and corrects the VCVs until they are met. On return the state
-/// is the best one; a correction that takes the smallest sine below `least_sine` is not taken.
+/// is the best one; a correction that lowers the smallest sine below `least_sine` is rejected.
 void control_spacing(MeshState& state, const SmoothOptions& smooth, double tolerance, int most,
                      RunSequence& runs, double least_sine = 0) {
   LayerStack stack = *state.layers;
   Coordinates x = state.mesh.coordinates;
   const auto base = state.vcvs.plane();
   const auto roles = layer_roles(*state.mesh.topology, stack);  // corrections do not change them
-  SmoothResult outcome;                                         // of the last run
+  SmoothResult outcome;                                         // result of the last run
   const auto smooth_towards = [&] {
     const MeshState target{
         {state.mesh.topology, x}, layer_vcvs(state.mesh.topology, stack, *base, x), roles};
@@ -132,7 +133,7 @@ void control_spacing(MeshState& state, const SmoothOptions& smooth, double toler
     restore_kept_columns(stack, uncorrected, runs.kept());
     const Vcvs vcvs = smooth_towards();
     LayerMeasures now = measure_movable_layers(stack, x, runs.kept());
-    // Where the elements outside press a fan from the side, longer edges would turn its columns.
+    // If the elements outside compress a fan from the side, longer edges would turn its columns.
     const bool turned = now.orthogonality.max > std::max(3.0, 1.2 * best.orthogonality.max);
     if (!good() || turned || now.spacing_error.max >= best.spacing_error.max) {
       runs.fall_back_to(before);
@@ -145,8 +146,8 @@ void control_spacing(MeshState& state, const SmoothOptions& smooth, double toler
   }
 }
 
-/// Puts the nodes of columns where the wanted heights, scaled to the thickness that the column has,
-/// say: along the column as it runs. A start from which the thickness alone has to change.
+/// Moves the nodes of columns along the columns to the wanted heights, scaled to the present
+/// thickness. From this start only the thickness has to change.
 void slide_along_columns(const LayerStack& stack, Coordinates& x) {
   for (const LayerColumn& column : stack.columns) {
     std::vector<Vec2> points;
@@ -169,14 +170,14 @@ void slide_along_columns(const LayerStack& stack, Coordinates& x) {
   }
 }
 
-/// Layers at some walls, and those at others that were held before: these stay held.
+/// Combines layers at some walls with those that are already held at other walls.
 LayerStack together_with_held(LayerStack stack, const LayerStack* before,
                               const Topology& topology) {
   if (!before || !before->held) return stack;
   return with_other_layers(std::move(stack), *before, topology);
 }
 
-/// The layers that the mesh has, with the heights they are to have.
+/// Respaces or holds existing layers, with their wanted heights.
 void hold_existing(const LayerRequest& request, MeshState& state) {
   if (!request.layers.overrides.empty()) {
     throw UsageError("single columns can be set when layers are inserted, not in layers there are");
@@ -195,22 +196,22 @@ void hold_existing(const LayerRequest& request, MeshState& state) {
     respace_layers(stack, state.mesh, options);
     Coordinates x = state.mesh.coordinates;
     slide_along_columns(stack, x);
-    // Columns of very different shapes may cross on the way; the mesh as it is is a start as well.
+    // Columns of very different shapes may cross; then the present mesh is the start.
     if (check_validity(*state.mesh.topology, x).inverted == 0) {
       state.mesh.coordinates = std::move(x);
     }
   }
   stack = together_with_held(std::move(stack), state.layers.get(), *state.mesh.topology);
   stack.held = true;
-  // Layers that are held as they are need no smoothing.
+  // Layers that are held with their present heights need no smoothing.
   if (request.task == LayerTask::hold) {
     control_by(stack, state);
   }
   state.layers = std::make_shared<const LayerStack>(std::move(stack));
 }
 
-/// The state with layers that fit between the walls as they will be; true if any had to change.
-/// Columns with nodes that are kept stay as they are.
+/// Fits the layers of the state between the walls after the motion. Returns true if any column
+/// changed. Columns with kept nodes stay unchanged.
 bool fit_layers(MeshState& state, const Motion& motion, std::span<const Index> kept) {
   const Coordinates& x = state.mesh.coordinates;
   Coordinates moved = x;
@@ -222,7 +223,7 @@ bool fit_layers(MeshState& state, const Motion& motion, std::span<const Index> k
                          &LayerColumn::heights)) {
     return false;
   }
-  // Columns stand on the walls as they are until these have moved.
+  // Columns keep their directions on the walls until the walls have moved.
   for (std::size_t c = 0; c < fitted.columns.size(); ++c) {
     fitted.columns[c].direction = before.columns[c].direction;
     fitted.columns[c].slant = before.columns[c].slant;
@@ -232,14 +233,14 @@ bool fit_layers(MeshState& state, const Motion& motion, std::span<const Index> k
   return true;
 }
 
-/// After a motion that went as `moved` says: corrects the VCVs until the wanted heights are met
-/// again. run: with the nodes that are kept.
+/// After a motion with the result `moved`, corrects the VCVs until the wanted heights are met
+/// again. run: includes the kept nodes.
 SmoothResult hold_spacing(MeshState& state, SmoothResult moved, const SmoothOptions& smooth,
                           const RunOptions& run) {
   constexpr int most = 5;
   if (moved.inverted > 0 || !moved.converged) return moved;
   LayerStack stack = *state.layers;
-  // Those that were found were made to no such precision.
+  // Found layers were not made with this precision.
   const bool found = std::ranges::any_of(
       stack.columns, [](const LayerColumn& column) { return !column.bends.empty(); });
   const double tolerance = found ? 1e-2 : 5e-3;
@@ -256,7 +257,7 @@ SmoothResult hold_spacing(MeshState& state, SmoothResult moved, const SmoothOpti
   MeshState held_state = state;
   SmoothResult held = moved;
   RunSequence runs(run, held);
-  // A valid mesh is not given up for better heights, nor, where layers were found, a good one.
+  // Better heights do not justify an invalid mesh, nor, for found layers, a worse one.
   const auto smallest_sine = [&](const Coordinates& x) {
     return check_validity(*state.mesh.topology, x).min_sine;
   };
@@ -272,7 +273,7 @@ SmoothResult hold_spacing(MeshState& state, SmoothResult moved, const SmoothOpti
 
 LayerOptions options_of(const LayerRequest& request) {
   LayerOptions options = request.layers;
-  // Heights that are not held afterwards are worth no layer.
+  // Without control of the heights, no layer is dropped for them: all heights are scaled.
   options.scale_all = options.scale_all || !request.control;
   return options;
 }
@@ -328,7 +329,7 @@ SmoothResult move_with_layers(MeshState& state, const Motion& motion, const Moti
   RunSequence runs(keeping, result);
   const bool blocked = run.all_or_nothing && how.increments == 0 &&
                        find_contact(*mesh.topology, mesh.coordinates, motion).has_value();
-  // A start that is given is of the walls where they will be.
+  // A given start has the walls at their final positions.
   if (!blocked && fit_layers(state, motion, kept) && !run.start)
     runs.smooth(state, smooth, state.mesh.coordinates);
   Coordinates x = starting_point(state, run);
@@ -336,7 +337,7 @@ SmoothResult move_with_layers(MeshState& state, const Motion& motion, const Moti
   state.mesh.coordinates = std::move(x);
   const MeshState moved = state;
   SmoothResult held = hold_spacing(state, result, smooth, keeping);
-  // Nor is one within the limits: its heights are then as the motion left them.
+  // Nor a mesh outside the quality limits: then the heights stay as the motion left them.
   if (!how.floor.given() || how.floor.fault(state.mesh, moved.mesh.coordinates).empty()) {
     return held;
   }
@@ -353,7 +354,7 @@ std::vector<std::string> names_of(std::span<const LayerWall> walls) {
   return names;
 }
 
-/// The first of some markers that a node lies on; of all markers if none is named.
+/// The first of the named markers on which a node lies; of all markers if none is named.
 std::string marker_at(const Topology& topology, Index node, std::span<const std::string> names) {
   const Markers& markers = topology.markers();
   Index place = 0;
@@ -375,7 +376,7 @@ std::string marker_at(const Topology& topology, Index node, std::span<const std:
                    "layers inside");
 }
 
-/// The end of a column: as it runs in the mesh, or where it is to be.
+/// The end of a column: its present or its wanted position.
 Vec2 end_of(const LayerColumn& column, const Coordinates& x) {
   if (!column.nodes.empty()) return x.xy(column.rim());
   return x.xy(column.wall_node) + column.thickness() * column.slant * column.direction;
@@ -389,7 +390,7 @@ void require_column_inside(const FreeRegion& region, const LayerColumn& column, 
   if (!region.holds(foot)) refuse(wall(), "there is a part of the wall", column.wall_node, foot);
   for (const Index node : column.nodes)
     if (!region.holds(x.xy(node))) refuse(wall(), "there are layers of the wall", node, x.xy(node));
-  // A region is convex: a straight column whose ends it holds lies in it.
+  // A region is convex: it contains a straight column if it contains both ends.
   if (!region.holds(end_of(column, x)))
     refuse(wall(), "there would be layers of the wall", column.wall_node, foot);
 }

@@ -6,7 +6,7 @@ namespace winslow {
 
 namespace {
 
-/// An outer iteration whose step was cut very short.
+/// Whether an outer iteration had its step cut very short.
 bool creeps(const IterationRecord& record) {
   constexpr double short_step = 0.1;
   return record.iteration > 0 && record.damping < short_step;
@@ -25,9 +25,9 @@ bool NewtonRun::untangle(Coordinates& x, double fraction, const Coordinates* ref
   return false;
 }
 
-/// False if Newton's steps have to be cut so short that very many would be needed, and there is
-/// another way: single elements far from their targets allow no longer ones, and the larger the
-/// mesh, the more of them there are.
+/// Returns false if Newton's steps are cut so short that very many would be needed, and there is
+/// another method: single elements far from their targets prevent longer steps, and larger meshes
+/// have more of them.
 bool NewtonRun::approach(Coordinates& x, double fraction) {
   constexpr int limit = 30;
   bool creeping = false;
@@ -40,7 +40,7 @@ bool NewtonRun::approach(Coordinates& x, double fraction) {
   return !creeping;
 }
 
-/// Puts x back to `start`, which is the solution for its own shapes.
+/// Resets x to `start`, which is the solution for its own shapes.
 void NewtonRun::begin_with_own_shapes(const Coordinates& start, Coordinates& x) {
   x = start;
   begin_anew();
@@ -60,7 +60,8 @@ void NewtonRun::relax_along_targets(Coordinates& x, double fraction) {
   set_target_share(1);
 }
 
-/// at_any_pace: otherwise false is returned where Newton's method creeps (see approach).
+/// at_any_pace: if false, returns false when Newton's method makes only very short steps (see
+/// approach).
 bool NewtonRun::converge(Coordinates& x, double fraction, bool at_any_pace) {
   bool creeping = false;
   const auto too_slow = [&](const IterationRecord& record) {
@@ -92,7 +93,8 @@ void NewtonRun::smooth(Coordinates& x, double fraction, const Coordinates* refer
   converge(x, fraction);
 }
 
-/// Back to the solution, near enough to follow the path from there. False if it is not found.
+/// Returns to the solution, near enough to follow the path from there. Returns false if it is not
+/// found.
 bool NewtonRun::settle(Coordinates& x, double fraction) {
   constexpr int limit = 25;
   constexpr double settled = 1e-4;
@@ -103,7 +105,7 @@ bool NewtonRun::settle(Coordinates& x, double fraction) {
   return last.residual < settled;
 }
 
-/// The limit that a mesh breaks; empty: none.
+/// The quality limit that a mesh violates; empty: none.
 std::string NewtonRun::fault(const Coordinates& x) const {
   return floor_.given() ? floor_.fault({state_.mesh.topology, x}, state_.mesh.coordinates)
                         : std::string();
@@ -117,8 +119,8 @@ double NewtonRun::smallest_sine(const Coordinates& x) const {
   return workspace_.validity(x).min_sine;
 }
 
-/// Converges at the end of a path. Meshes of the path are near their solutions only: where such a
-/// mesh is within the limits and its solution is not, it stays.
+/// Converges at the end of a path. Meshes of the path are only near their solutions: if such a mesh
+/// is within the limits and its solution is not, the mesh is kept.
 void NewtonRun::end_path(Coordinates& x, double reached) {
   Coordinates end_of_path = x;
   converge(x, reached);
@@ -148,7 +150,7 @@ void NewtonRun::move_along_path(const Motion& motion, const Coordinates& rest, C
     return;
   }
   if (!untangle(x, 0, nullptr)) return;
-  // A motion that is blocked ends before its mesh is squeezed into slivers.
+  // A blocked motion ends before the mesh degenerates into slivers.
   constexpr double worth_keeping = 0.1;
   const double given = smallest_sine(state_.mesh.coordinates);
   const double least_sine = worth_keeping * (given > 0 ? given : smallest_sine(x));
@@ -165,7 +167,7 @@ void NewtonRun::move_along_path(const Motion& motion, const Coordinates& rest, C
     result.gap = smallest_gap(topology, x, motion.of_bodies(), yielding_nodes());
 }
 
-/// least_sine: smallest normalized Jacobian that a motion is blocked with, where it is blocked.
+/// least_sine: smallest normalized Jacobian at which a blocked motion may end.
 void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x) {
   SteadySolver& solver = newton();
   PathMesh good{0, x};  // the last one without slivers
@@ -176,21 +178,22 @@ void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x)
     if (min_sine >= least_sine) good = {record.fraction, mesh};
     return recorder_.remaining() > 0 && !strained(mesh);
   };
-  std::string& limit = recorder_.result().limited_by;  // between the last mesh and the next
-  bool ended = false;                                  // before a mesh beyond some limit
+  std::string& limit =
+      recorder_.result().limited_by;  // violated between the last mesh and the next
+  bool ended = false;                 // because the next mesh violates a limit
   const auto within_limits = [&](const Coordinates& mesh) {
     limit = fault(mesh);
     ended = !limit.empty() || (blocked_by_contact() && smallest_sine(mesh) < least_sine);
     return !ended;
   };
-  // Where the path is lost, Newton's method with the boundary held leads back to it, and the path
-  // goes on from there. The motion counts as blocked if that gains nothing twice in a row. Pressed
-  // against a wall a mesh gains less and less each time, so more is asked for there.
+  // If the path is lost, Newton's method with the boundary held leads back to it, and the path
+  // continues from there. The motion counts as blocked if this has no gain twice in a row. A mesh
+  // compressed against a wall gains less each time, so a larger gain is required there.
   const double pressed = 0.25 * least_sine;
   constexpr double worthwhile = 1e-5, worthwhile_pressed = 5e-3;
   PathOptions options;
   options.admits = within_limits;
-  // What a limit is compared with are to be solutions, not meshes somewhere near them.
+  // Limits apply to solutions, so the meshes on the path must be close to solutions.
   if (floor_.given()) options.loose_tolerance = 1e-3;
   double reached = 0;
   within_limits(x);
@@ -222,7 +225,7 @@ void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x)
   if (reached >= 1 || ended) end_path(x, reached);
 }
 
-/// To an earlier mesh of the path.
+/// Returns to an earlier mesh of the path.
 void NewtonRun::go_back(const Path& path, PathMesh& earlier, double& reached, Coordinates& x) {
   reached = earlier.fraction;
   x = std::move(earlier.x);
@@ -261,7 +264,7 @@ const VariationalForm& VariationalRun::energy() {
 }
 
 void VariationalRun::begin_anew() {
-  energy_.reset();  // its targets may be others by now
+  energy_.reset();  // its targets may have changed
   change_penalty(asked_for());
 }
 
@@ -299,7 +302,7 @@ bool VariationalRun::sharpen(const Coordinates& x) {
 }
 
 double VariationalRun::knee() {
-  constexpr double without = 2;  // where a pure power begins to be steep
+  constexpr double without = 2;  // distortion from which a pure power is steep
   const double knee = energy().penalty().knee;
   return knee > 0 ? knee : without;
 }
@@ -311,7 +314,7 @@ bool VariationalRun::strained(const Coordinates& x) {
 
 namespace {
 
-/// A tangled mesh that hardly changes any more will not come untangled.
+/// A tangled mesh that hardly changes any more will not be untangled.
 bool hopeless(const IterationRecord& record) {
   constexpr double settled = 1e-4;
   return record.inverted > 0 && record.residual < settled;
@@ -327,8 +330,8 @@ class FixedPointMotion {
         solver_(solver),
         recorder_(recorder) {}
 
-  /// All steps but the last are smoothed loosely: they are only there to lead the interior along.
-  /// give_up: stop at the first step whose mesh stays tangled. Returns false then.
+  /// All steps except the last are smoothed loosely: they only move the interior along. give_up:
+  /// stop at the first step whose mesh stays tangled, and return false.
   bool move_in_steps(int increments, bool give_up, Coordinates& x) {
     constexpr double loose = 1e-3;
     constexpr int step_limit = 40;
@@ -394,7 +397,7 @@ void PointwiseRun::attempt(const Way& by_newton, const Way& by_fixed_point, Coor
   const Coordinates start = x;
   by_newton(x);
   const SmoothResult& result = recorder().result();
-  // Where a limit ended the path, a fixed point, which follows none, would run past it.
+  // If a limit ended the path, the fixed point would exceed the limit, since it follows no path.
   if (complete(result) || !result.limited_by.empty() ||
       workspace().options().outer == OuterMethod::newton || recorder().remaining() <= 0) {
     return;

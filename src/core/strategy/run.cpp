@@ -14,7 +14,7 @@ std::string why_incomplete(const SmoothResult& result) {
 }
 
 bool gains_no_more(const SmoothResult& result) {
-  // What comes after the solution, to raise the worst element, is no part of how it ended.
+  // Iterations after the solution, which raise the worst element, do not affect the outcome.
   const auto last = std::find_if(result.history.rbegin(), result.history.rend(),
                                  [](const IterationRecord& r) { return r.stage != Stage::worst; });
   const bool ended_by_newton = last != result.history.rend() && last->stage == Stage::newton;
@@ -38,7 +38,7 @@ void RunRecorder::report(IterationRecord record, const Coordinates& x, Stage sta
 
 namespace {
 
-/// Asks the monitor within long steps of a solver whether to go on.
+/// Asks the monitor during long solver steps whether to cancel.
 class Checkpoints {
  public:
   Checkpoints(OuterSolver& solver, SolverMonitor* monitor) : solver_(solver) {

@@ -6,7 +6,7 @@ namespace winslow {
 
 namespace {
 
-/// What a run ended with.
+/// Copies the outcome of a run.
 void take_outcome(SmoothResult& all, const SmoothResult& run) {
   all.converged = run.converged;
   all.residual = run.residual;
@@ -17,7 +17,7 @@ void take_outcome(SmoothResult& all, const SmoothResult& run) {
   all.boundary = run.boundary;
 }
 
-/// Nodes of a column between its wall and its rim, as its heights are to one another.
+/// Interpolates the nodes of a column between wall and rim, in proportion to its heights.
 void fill_between(const LayerColumn& column, Coordinates& x) {
   const Vec2 wall = x.xy(column.wall_node), rim = x.xy(column.rim());
   const double thickness = column.thickness();
@@ -75,7 +75,7 @@ double RunSequence::open(const MeshState& outside, const LayerStack& stack, cons
                          const SmoothOptions& smooth, Coordinates& x) {
   relay_.begin(result_.outer_iterations, &stack);
   RunOptions own = options_;
-  own.cache = nullptr;  // another connectivity, for once
+  own.cache = nullptr;  // another connectivity, used only here
   SmoothResult result = smooth_motion(outside, motion, {}, smooth, x, own);
   const double reached = result.fraction_reached;
   append(result_, std::move(result));

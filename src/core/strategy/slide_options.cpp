@@ -160,7 +160,8 @@ ResolvedSlide::ResolvedSlide(SlideOptions slide, SlideFiles files)
 
 namespace {
 
-/// The pairs of the file, but for those that are also named. Throws UsageError if it names none.
+/// The pairs of the file, except those that the options name, too. Throws UsageError if the file
+/// names none.
 std::vector<GivenPairs> pairs_of_file(const SlideOptions& slide, const GivenPeriodicity& file) {
   if (file.pairs.empty())
     throw UsageError(file.source +
@@ -178,12 +179,12 @@ std::vector<GivenPairs> pairs_of_file(const SlideOptions& slide, const GivenPeri
   return wanted;
 }
 
-/// The pairs of a file on a mesh that has come of the file's, with layers perhaps: then by place.
+/// The pairs of a file on a mesh derived from the file's, e.g. with layers: then found by position.
 std::optional<PeriodicPairs> pairs_on(const Mesh& mesh, const GivenPeriodicity& file,
                                       const GivenPairs& given) {
   const Topology& topology = *mesh.topology;
   if (file.fits(topology)) return PeriodicPairs::of(topology, mesh.coordinates, given);
-  if (given.halo) return std::nullopt;  // new meshes are written without
+  if (given.halo) return std::nullopt;  // new meshes are written without halo nodes
   if (!given.fault.empty()) throw UsageError(given.fault);
   return PeriodicPairs::find(topology, mesh.coordinates, given.first, given.second);
 }
@@ -196,7 +197,7 @@ void require_at_rest(const std::string& marker, std::span<const Index> nodes,
                        "\" is to slide or to be periodic, and the motion takes its nodes");
 }
 
-/// Nodes that a motion or a pair has cannot stay.
+/// Nodes of a motion or of a pair cannot be fixed.
 void require_not_held(const SlideOptions& slide, const PeriodicPairs& pairs) {
   for (const auto* list : {&pairs.pairs, &pairs.corners})
     for (const PeriodicPair& pair : *list)
@@ -214,7 +215,7 @@ void hold(const SlideOptions& slide, std::span<const Index> moving, NodeClasses&
       throw UsageError("node " + std::to_string(node) + " is to be held, and the motion takes it");
 }
 
-/// The pairs of the sides that are to be periodic, those of halo nodes last.
+/// The pairs of the periodic sides, those of halo nodes last.
 std::vector<PeriodicPairs> find_pairs(const ResolvedSlide& slide, const Mesh& mesh) {
   std::vector<PeriodicPairs> list;
   for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2)
@@ -232,7 +233,7 @@ std::vector<PeriodicPairs> find_pairs(const ResolvedSlide& slide, const Mesh& me
   return list;
 }
 
-/// Leaves the corners that move: those that were found to slide, and copies beyond them.
+/// Keeps only the corners that move: those found to slide, and their periodic copies.
 void keep_sliding_corners(const std::vector<PeriodicPair>& sliding, const NodeClasses& classes,
                           PeriodicPairs& pairs) {
   std::erase_if(pairs.corners, [&](const PeriodicPair& pair) {

@@ -15,7 +15,7 @@ namespace winslow {
 
 namespace {
 
-/// The length of an element along a face of it over its height there.
+/// The length of an element along one of its faces divided by its height there.
 double flatness(const Mesh& mesh, const Face& face, Index element) {
   const Topology& topology = *mesh.topology;
   const Coordinates& x = mesh.coordinates;
@@ -74,13 +74,13 @@ class RowMotion final : public Motion {
   std::vector<Index> nodes_;
 };
 
-/// Which parts are held.
+/// The parts whose spacing is held.
 std::vector<SlidingPart*> held_parts(const SlideOptions& slide, const Mesh& mesh,
                                      std::vector<SlidingPart>& parts) {
   std::vector<SlidingPart*> held;
   std::map<std::string, bool> walls;
   for (SlidingPart& part : parts) {
-    // A stretch with a node that is held by name slides on both sides of it.
+    // A curve with a node in hold_nodes slides freely on both sides of this node.
     if (!part.row || std::ranges::any_of(slide.hold_nodes, [&](Index node) {
           return std::ranges::find(part.row->nodes(), node) != part.row->nodes().end();
         }))
@@ -97,7 +97,7 @@ std::vector<SlidingPart*> held_parts(const SlideOptions& slide, const Mesh& mesh
   return held;
 }
 
-/// Fixes the ends of a row that slide, if the row cannot move because one of its nodes is held for
+/// Fixes the sliding ends of a row if the row cannot move because one of its nodes is held for
 /// another reason, or if a body moves the other end.
 void hold_ends(const CurveRow& row, NodeClasses& classes) {
   const bool whole = std::ranges::all_of(
@@ -109,8 +109,8 @@ void hold_ends(const CurveRow& row, NodeClasses& classes) {
   }
 }
 
-/// What becomes of the nodes between the ends. Ends slide along the row itself only where it is
-/// closed or lies between periodic corners.
+/// The spacing of the nodes between the ends. Ends slide along the row itself only if it is closed
+/// or lies between periodic corners.
 Spacing spacing_of(const CurveRow& row, const NodeClasses& classes) {
   const bool moves = classes.moves(row.first()) || classes.moves(row.last());
   const bool taken =
@@ -124,7 +124,7 @@ Spacing spacing_of(const CurveRow& row, const NodeClasses& classes) {
 bool is_wall(const Mesh& mesh, const std::string& marker) {
   const auto& markers = mesh.topology->markers();
   const std::vector<std::string> names{marker};
-  markers.nodes_of(names);  // names the markers that there are, if it is not known
+  markers.nodes_of(names);  // throws with a list of the markers if one is unknown
   if (mesh.coordinates.dimension() == 2)
     for (const Wall& wall : find_walls(mesh))
       if (std::ranges::find(wall.markers, marker) != wall.markers.end()) return true;
@@ -158,7 +158,7 @@ std::unique_ptr<const Motion> with_rows(const Motion& motion, const CurveRows& r
 
 namespace {
 
-/// A node of a body and one beside it that slides, on a face of the boundary.
+/// A node of a body and an adjacent sliding node, on a face of the boundary.
 struct Junction {
   Index moving, sliding;
   std::size_t part;
@@ -185,7 +185,7 @@ std::vector<Junction> find_junctions(const Topology& topology, std::span<const I
   return junctions;
 }
 
-/// Along the whole motion the bodies' nodes are where the geometry has them.
+/// Checks that the bodies' nodes stay on the geometry along the whole motion.
 void require_along(const Mesh& mesh, const Motion& motion, const std::vector<SlidingPart>& parts,
                    std::span<const Junction> junctions, const NodeClasses& classes) {
   const int dimension = mesh.coordinates.dimension();
@@ -197,7 +197,7 @@ void require_along(const Mesh& mesh, const Motion& motion, const std::vector<Sli
       const Vec3 rest = place_of(mesh.coordinates, junction.moving);
       const Vec3 place = place_of(x, junction.moving);
       const Foot foot = classes.foot(junction.sliding, place);
-      // A node on a feature line says nothing of the surfaces beside it.
+      // A node on a feature line does not determine the adjacent surfaces.
       if (foot.frame.count() < dimension - 1) continue;
       const SlidingPart& part = parts[junction.part];
       Box<3> box = Box<3>::empty();
@@ -252,7 +252,7 @@ ReferenceStart put_on_reference(const ResolvedSlide& slide, const MeshState& sta
   out.state.mesh.coordinates = put_on(boundary, std::move(out.state.mesh.coordinates));
   if (start == nullptr) return out;
   out.start = *start;
-  // What is no mesh of this kind is refused by the run.
+  // The run refuses a start of another kind.
   if (!start->alike(state.mesh.coordinates)) return out;
   out.start = put_on(boundary, std::move(*out.start));
   if (check_validity(topology, *out.start).inverted > check_validity(topology, *start).inverted)

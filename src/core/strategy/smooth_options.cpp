@@ -14,7 +14,7 @@ void require(bool good, const std::string& message) {
 
 bool is_variational(const SmoothOptions& o) { return o.formulation == Formulation::variational; }
 
-/// Also where Newton's method has the fixed point untangle for it, or stand in for it.
+/// Also true if the fixed point untangles for Newton's method, or replaces it.
 bool uses_fixed_point(const SmoothOptions& o) {
   return o.outer == OuterMethod::picard || o.untangle != Untangle::energy ||
          (!is_variational(o) && o.outer == OuterMethod::automatic);
@@ -60,7 +60,7 @@ Option targets_option(SmoothOptions& o) {
       .applies = is_variational(o)};
 }
 
-/// They are of volume meshes: forms, which are of plane ones, show them where they were set.
+/// Rows for volume meshes. Forms, which are for plane meshes, show them only if they were set.
 OptionTable vcv_rows(SmoothOptions& o) {
   return {
       {.key = "vcv",
@@ -309,7 +309,7 @@ bool follows_mesh(VcvKind kind) { return kind != VcvKind::equal && kind != VcvKi
 
 namespace {
 
-/// The same choice, of these items alone.
+/// The same choice, restricted to these items.
 template <class Value>
 ChoiceOption left_of(Value& value, const OptionValue& option,
                      std::initializer_list<std::string_view> names) {
@@ -319,7 +319,8 @@ ChoiceOption left_of(Value& value, const OptionValue& option,
   return {value, std::move(items)};
 }
 
-/// The energy of the variational form alone smooths and untangles them; all nodes slide.
+/// Options hidden for surface meshes: only the energy of the variational form smooths and untangles
+/// them, and all nodes slide.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 12> hidden{
     {{"", "formulation"},
      {"", "outer"},
@@ -362,7 +363,7 @@ OptionTable surface_option_table(SmoothOptions& options) {
 
 void settle_for_surface(SmoothOptions& options) {
   settle(surface_option_table(options));
-  // A linear solver that the pointwise form alone takes, and the other way round.
+  // Replaces a linear solver that only the pointwise form supports, and vice versa.
   settle(surface_option_table(options));
   options.vcv_lengths = 0;
   options.vcv_updates = 0;

@@ -21,9 +21,10 @@ namespace winslow {
 
 namespace {
 
-/// How often, at most.
+/// The largest number of VCV updates.
 int most_updates(const Coordinates& given, const SmoothingWorkspace& workspace) {
-  constexpr int after_tangle = 10;  // the angles halve their distance to the last ones each time
+  constexpr int after_tangle =
+      10;  // each update halves the distance of the angles to the final ones
   const SmoothOptions& options = workspace.options();
   const Topology& topology = workspace.classes().topology();
   if (!workspace.vcvs_follow_mesh()) return 0;
@@ -32,13 +33,13 @@ int most_updates(const Coordinates& given, const SmoothingWorkspace& workspace) 
 }
 
 /// Updates adjusted VCVs as the paper does (AIAA 2009-1362, section V). Adjusts the VCVs to the
-/// mesh x that a run has led to, solves for the mesh again, and repeats this: at most as often as
-/// SmoothOptions::vcv_updates says, and until no VCV changes any more. If the mesh as given was
-/// tangled, its VCVs say little, and are updated in any case. Does nothing for VCVs of other kinds,
-/// and for equations that are not over VCVs.
+/// mesh x of a run, solves for the mesh again, and repeats this until no VCV changes any more, at
+/// most SmoothOptions::vcv_updates times. If the mesh as given was tangled, its VCVs are
+/// meaningless and are always updated. Does nothing for VCVs of other kinds, and for equations
+/// without VCVs.
 ///
-/// solve: runs the solver from a mesh whose boundary is at its end. given: the mesh that the VCVs
-/// were made of. If there is no solution for the next VCVs, x is the last solution.
+/// solve: runs the solver from a mesh whose boundary is at its final position. given: the mesh from
+/// which the VCVs were made. If there is no solution for the next VCVs, x is the last solution.
 void update_vcvs(const Coordinates& given, SmoothingWorkspace& workspace, RunRecorder& recorder,
                  const std::function<void(Coordinates&)>& solve, Coordinates& x) {
   const SmoothResult& result = recorder.result();
@@ -49,7 +50,7 @@ void update_vcvs(const Coordinates& given, SmoothingWorkspace& workspace, RunRec
     Coordinates solution = x;
     const RunOutcome outcome = result;
     solve(x);
-    // The operator's own solution may be tangled: from there the next angles are to lead out of it.
+    // The operator's own solution may be tangled: the next angles may then untangle it.
     if (result.converged && result.inverted <= outcome.inverted) continue;
     x = std::move(solution);
     recorder.restore_outcome(outcome);
@@ -67,7 +68,7 @@ std::unique_ptr<NewtonRun> make_newton_run(const MeshState& state, SmoothingWork
   return std::make_unique<PointwiseRun>(state, workspace, recorder);
 }
 
-/// The nodes of one mesh that have unknowns, the others where another mesh has them.
+/// Combines the nodes with unknowns of one mesh with the other nodes of another mesh.
 Coordinates unknowns_within(const NodeClasses& classes, const Coordinates& unknown,
                             Coordinates held) {
   for (Index node = 0; node < held.size(); ++node) {
@@ -76,9 +77,9 @@ Coordinates unknowns_within(const NodeClasses& classes, const Coordinates& unkno
   return held;
 }
 
-/// The classes of a run in which the boundary stays or, but for the nodes of a motion, does, and
-/// all that lies outside a region that the options name. with_motion: gets what goes with a motion
-/// besides its own nodes.
+/// The node classes of a run: the boundary is fixed, except the nodes of a motion and sliding
+/// nodes, and so are the nodes outside the region in the options. with_motion: receives the rows
+/// that move with the motion.
 std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Motion* motion,
                                               const SmoothOptions& options, const RunOptions& run,
                                               SmoothResult& result, CurveRows& with_motion) {
@@ -102,8 +103,8 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
   return classes;
 }
 
-/// Puts the interior nodes that are not free where the mesh has them; how many of these lie outside
-/// a region that is kept.
+/// Moves the fixed interior nodes to their positions in the mesh. Returns how many of these are
+/// kept outside a region.
 Index keep_fixed(const MeshState& state, const NodeClasses& classes, const std::vector<Index>& held,
                  Coordinates& x) {
   const auto interior = classes.topology().interior_nodes();
@@ -116,8 +117,8 @@ Index keep_fixed(const MeshState& state, const NodeClasses& classes, const std::
   return state.surface ? 0 : static_cast<Index>(kept - held_inside);
 }
 
-/// A motion that is begun from a mesh near its end: along the path from there where that mesh is
-/// valid as it stands, at once where it is valid within the boundary's last position.
+/// Starts a motion from a mesh near its end: along the path from there if that mesh is valid, in
+/// one step if it is valid with the final boundary.
 bool move_from(const MeshState& state, const Motion& motion, const Coordinates& start,
                const SmoothingWorkspace& workspace, NewtonRun& steps, Coordinates& x) {
   const NodeClasses& classes = workspace.classes();
@@ -138,9 +139,9 @@ bool move_from(const MeshState& state, const Motion& motion, const Coordinates& 
   return true;
 }
 
-/// Smoothing in place is not to make a mesh worse than it came: elements that end below the worst
-/// of the mesh as given count more, and the mesh is solved for again. Of all meshes that this leads
-/// to, the one whose worst element is best.
+/// Prevents smoothing in place from making a mesh worse: elements that end below the worst of the
+/// mesh as given get a larger weight, and the mesh is solved for again. The result is the mesh with
+/// the best worst element.
 void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder,
                       Coordinates& x) {
   constexpr int rounds = 5;
@@ -171,7 +172,7 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
     best_worst = worst;
     best_residual = result.residual;
   }
-  // What is said of the run is said of this mesh, which is a solution.
+  // The outcome of the run refers to this mesh, which is a solution.
   x = std::move(best);
   result.residual = best_residual;
   result.converged = true;
@@ -179,8 +180,8 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
   result.inverted = 0;
 }
 
-/// A motion that would end at a contact, where only the whole of it will do, is not begun: the
-/// result says so before targets and matrices are made, which take longer than the search.
+/// True if a contact blocks a motion that must be complete. The search is faster than making
+/// targets and matrices, so it comes first, and the motion is not begun.
 bool is_blocked(const MeshState& state, const Motion& motion, const NodeClasses& classes,
                 const SmoothOptions& options, const Coordinates& x, SmoothResult& result) {
   result.contact = find_contact(*state.mesh.topology, state.mesh.coordinates, motion,
@@ -192,12 +193,12 @@ bool is_blocked(const MeshState& state, const Motion& motion, const NodeClasses&
   return true;
 }
 
-/// The fixed point may need several attempts at a motion; each has the whole limit.
+/// The fixed point may need several attempts at a motion; the limit applies to each.
 int budget(const SmoothOptions& options) {
   return by_fixed_point(options) ? std::numeric_limits<int>::max() : options.max_iterations;
 }
 
-/// With the boundary where it is to be in the end.
+/// Smooths with the boundary at its final position.
 void smooth_at_end(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder,
                    Coordinates& x) {
   const SmoothOptions& options = workspace.options();
@@ -215,7 +216,7 @@ void follow_with_vcvs(const MeshState& state, SmoothingWorkspace& workspace, Run
   update_vcvs(state.mesh.coordinates, workspace, recorder, solve, x);
 }
 
-/// Of the targets that a run by Newton's method went for.
+/// CellTargets::stretched of a run by Newton's method.
 std::optional<double> stretched(SmoothingWorkspace& workspace) {
   if (workspace.options().formulation != Formulation::variational) return std::nullopt;
   return workspace.energy()->stretched();
@@ -265,7 +266,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
     follow_with_vcvs(state, workspace, recorder, x);
     return result;
   }
-  const bool near_start = run.start && !how.floor.given();  // limits hold all the way
+  const bool near_start = run.start && !how.floor.given();  // limits apply to the whole path
   const bool known = run.all_or_nothing && how.increments == 0 && !near_start;
   if (known && is_blocked(state, bodies, workspace.classes(), options, x, result)) return result;
   const auto steps = make_newton_run(state, workspace, recorder);
@@ -296,7 +297,7 @@ Coordinates starting_point(const MeshState& state, const RunOptions& options) {
 
 namespace {
 
-/// The geometry of a volume mesh, asked by the nodes of its surface.
+/// The geometry of a volume mesh, accessed by the node numbers of its surface mesh.
 class OfSurface final : public SlidingGeometry {
  public:
   OfSurface(std::shared_ptr<const SlidingGeometry> geometry, std::vector<Index> nodes)
@@ -310,7 +311,7 @@ class OfSurface final : public SlidingGeometry {
   std::vector<Index> nodes_;  // of the volume mesh
 };
 
-/// Nodes of the boundary on their way from one place to another, on what they slide on.
+/// Motion of boundary nodes between two positions along their sliding geometry.
 class AlongBoundary final : public Motion {
  public:
   AlongBoundary(const SlidingBoundary& boundary, const Coordinates& from, Coordinates to)
@@ -338,7 +339,7 @@ class AlongBoundary final : public Motion {
   std::vector<Index> nodes_;
 };
 
-/// Tells of iterations, not of the mesh that they are of.
+/// Reports iterations with the unchanged volume mesh.
 class StillMonitor final : public SolverMonitor {
  public:
   StillMonitor(SolverMonitor* monitor, const Coordinates& x) : monitor_(monitor), x_(x) {}
@@ -352,7 +353,7 @@ class StillMonitor final : public SolverMonitor {
   const Coordinates& x_;
 };
 
-/// The sliding faces of a volume mesh as a mesh of their own.
+/// The sliding faces of a volume mesh as a separate mesh.
 struct SurfaceOfMesh {
   MeshState state;
   std::vector<Index> nodes;  ///< of the volume mesh, one for each of the surface
@@ -398,14 +399,14 @@ SurfaceOfMesh surface_of(const Mesh& volume, const SlidingBoundary& boundary,
   return out;
 }
 
-/// Smooths the surface; the volume mesh with the nodes of its boundary where they are then.
+/// Smooths the surface. Returns the volume mesh with the new positions of its boundary nodes.
 Coordinates smooth_surface(const Mesh& volume, const SlidingBoundary& boundary,
                            const SmoothOptions& options, const RunOptions& run,
                            SmoothResult& result) {
   const SurfaceOfMesh surface = surface_of(volume, boundary, {options.slide, run.files});
   SmoothOptions of_surface = options;
-  of_surface.slide = {};                // of the volume mesh; that of the surface is in its state
-  of_surface.vcv = VcvKind::automatic;  // kinds of volume meshes
+  of_surface.slide = {};  // applies to the volume mesh; the surface has its shape in the state
+  of_surface.vcv = VcvKind::automatic;  // the other kinds exist only for volume meshes
   StillMonitor monitor(run.monitor, volume.coordinates);
   RunOptions own = run;
   own.monitor = &monitor;
@@ -442,7 +443,7 @@ SmoothResult smooth_surface_first(const MeshState& state, const SmoothOptions& o
   const AlongBoundary motion(boundary, mesh.coordinates, there);
   const bool valid = check_validity(*mesh.topology, x, options.threads).inverted == 0;
   RunSequence sequence(run, result);
-  // Of a mesh with inverted elements there is no path to follow.
+  // A mesh with inverted elements has no path to follow.
   sequence.move(state, motion, {.increments = valid ? 0 : 1}, held, nullptr, x);
   result.converged = result.converged && surface_converged;
   result.boundary.sliding = boundary.parts;

@@ -9,7 +9,7 @@ namespace winslow {
 
 namespace {
 
-/// The very same surface, however often it was read.
+/// Whether two surfaces are equal, even if read separately.
 bool same_surface(const ReferenceSurface* a, const ReferenceSurface* b) {
   return a == b || (a && b && a->points == b->points && a->faces == b->faces);
 }
@@ -52,10 +52,10 @@ std::vector<Vec3> reference_normals(const MeshState& state, const Coordinates& x
 
 namespace {
 
-/// A part of a surface mesh that hangs together.
+/// A connected part of a surface mesh.
 struct Part {
-  std::vector<Index> nodes, held;  // of the former those that stay
-  Index characteristic = 0;  // nodes less edges plus elements, each border filled by an element
+  std::vector<Index> nodes, held;  // all nodes; the fixed ones of them
+  Index characteristic = 0;        // Euler characteristic, with each border closed by an element
 };
 
 std::map<Index, Part> find_parts(const Topology& topology, const std::vector<bool>& slides) {
@@ -78,7 +78,7 @@ std::map<Index, Part> find_parts(const Topology& topology, const std::vector<boo
   return parts;
 }
 
-/// Nodes chosen one after the other, each as far as can be from those before it.
+/// Chooses nodes successively, each as far as possible from the previous ones.
 class FarApart {
  public:
   FarApart(const SpacePoints& x, std::span<const Index> nodes) : x_(x) {
@@ -86,7 +86,7 @@ class FarApart {
   }
   Index count() const { return static_cast<Index>(chosen_.size()); }
 
-  /// The next one of some nodes; -1 if none lies far from those before.
+  /// The next of some nodes; -1 if none is far from the previous ones.
   Index next(std::span<const Index> nodes) {
     constexpr double far = 0.2;  // of the extent
     Index best = -1;

@@ -6,8 +6,8 @@ namespace winslow {
 
 namespace {
 
-/// Stops an iteration that no longer untangles anything. A boundary moved at once inverts few
-/// elements at first, and spreads: only later does the count tell.
+/// Stops an iteration that no longer untangles the mesh. A boundary moved in one step inverts few
+/// elements at first, then the number grows: the count is meaningful only later.
 class Stagnation {
  public:
   bool operator()(const IterationRecord& record) {
@@ -38,19 +38,20 @@ bool Untangling::by_energy(Coordinates& x, double fraction, const Coordinates* r
   constexpr int limit = 200;
   tried_energy_ = true;
   for (;; interior = Interior::as_given) {
-    // Winslow's own functional: without a barrier, a steep penalty would only stiffen the system.
+    // Uses Winslow's own functional: without a barrier, a steep penalty would only make the system
+    // stiff.
     EnergyUntangler untangler(workspace_.energy()->with_penalty({1, 0}),
                               workspace_.symmetric_linear(), workspace_.options().linear.tolerance,
                               reference, interior);
-    const RunRecorder::Enough from_here = enough;  // it may remember what came before
+    const RunRecorder::Enough from_here = enough;  // a copy, since it may have internal state
     recorder_.iterate(untangler, x, Stage::untangle, fraction, limit, from_here);
     if (untangler.converged()) return true;
     if (!guard_inside(x)) return false;
   }
 }
 
-/// An energy of corners does not see elements that are inverted between them only. Returns whether
-/// there are such that it did not guard yet.
+/// An energy over corners does not detect elements that are inverted only between them. Returns
+/// whether there are such elements that were not guarded yet.
 bool Untangling::guard_inside(const Coordinates& x) {
   const Topology& topology = *state_.mesh.topology;
   if (topology.cell_dimension() < 3) return false;
@@ -62,10 +63,10 @@ bool Untangling::guard_inside(const Coordinates& x) {
   return workspace_.guard(inside);
 }
 
-/// Begins with the harmonic interior, if that has fewer inverted elements than the mesh. A scramble
-/// has nothing worth keeping, and the energy would draw its nodes together where they are.
+/// Begins with the harmonic interior, if that has fewer inverted elements than the mesh. The
+/// interior of a scramble is worthless, and the energy would contract its nodes where they are.
 bool Untangling::by_harmonic_start(Coordinates& x, double fraction) {
-  constexpr int limit = 60;  // what it does not do soon it mostly never does
+  constexpr int limit = 60;  // later success is unlikely
   const Index given = workspace_.validity(x).inverted;
   const auto hopeless = [given](const IterationRecord& record) {
     return record.iteration > limit || (record.iteration == 1 && record.inverted >= given);
@@ -76,7 +77,8 @@ bool Untangling::by_harmonic_start(Coordinates& x, double fraction) {
   return true;
 }
 
-/// Both ways to begin, each to the end. If both end in vain, the mesh with fewer inverted elements.
+/// Tries both starts, each to the end. If both fail, the result is the mesh with fewer inverted
+/// elements.
 bool Untangling::by_energy_from_either(Coordinates& x, double fraction,
                                        const Coordinates* reference) {
   const Coordinates start = x;
@@ -96,12 +98,12 @@ bool Untangling::by_energy_from_either(Coordinates& x, double fraction,
 bool Untangling::run(Coordinates& x, double fraction, const Coordinates* reference) {
   const Topology& topology = *state_.mesh.topology;
   if (workspace_.validity(x).inverted == 0) return true;
-  // In space the energy does it alone: the fixed point would be over the VCVs of a tangle. So it
-  // does where nodes slide, of which the fixed point knows nothing.
+  // In space only the energy untangles: the fixed point would use the VCVs of a tangled mesh. The
+  // same holds for sliding nodes, which the fixed point does not support.
   const bool energy_alone = topology.space_dimension() == 3 || workspace_.options().slide.given();
   const Untangle chosen = workspace_.options().untangle;
   const Untangle how = chosen == Untangle::automatic && energy_alone ? Untangle::energy : chosen;
-  // The pointwise form has the fixed point for its own, which leads nearer to its solution.
+  // The fixed point is the pointwise form's own method and leads nearer to its solution.
   const bool energy_first =
       how == Untangle::energy ||
       (how == Untangle::automatic && workspace_.options().formulation == Formulation::variational);
@@ -111,7 +113,7 @@ bool Untangling::run(Coordinates& x, double fraction, const Coordinates* referen
   if (by_picard(x, fraction)) return true;
   if (how == Untangle::picard) return false;
   if (by_energy(x, fraction, reference, Interior::as_given)) return true;
-  // Where the fixed point leads astray, the energy alone may do better from the start itself.
+  // If the fixed point fails, the energy alone may succeed from the original start.
   Coordinates other = start;
   if (!by_energy_from_either(other, fraction, reference)) {
     recorder_.result().inverted = workspace_.validity(x).inverted;
@@ -123,7 +125,7 @@ bool Untangling::run(Coordinates& x, double fraction, const Coordinates* referen
 
 namespace {
 
-/// Whether the last rounds have lowered the largest distortion by enough for more of them.
+/// Whether the last rounds have lowered the largest distortion enough to continue.
 class Progress {
  public:
   bool worthwhile(double worst) {
@@ -144,8 +146,8 @@ class Progress {
 
 void raise_worst_element(SmoothingWorkspace& workspace, RunRecorder& recorder, double fraction,
                          Coordinates& x) {
-  constexpr int steps = 3;                  // of Newton's method in a round
-  constexpr double closer = 0.5, away = 3;  // what the bound's distance becomes, round by round
+  constexpr int steps = 3;                  // Newton steps per round
+  constexpr double closer = 0.5, away = 3;  // factors of the bound's distance, per round
   constexpr double farthest = 2;            // bound, in largest distortions
   constexpr double short_step = 0.2, settled = 1e-3;
   const RunOutcome outcome = recorder.result();
@@ -159,7 +161,7 @@ void raise_worst_element(SmoothingWorkspace& workspace, RunRecorder& recorder, d
   do {
     energy = energy->with_penalty({.exponent = 1, .knee = 0, .bound = bound});
     newton.set_problem(energy);
-    bool begun = false;  // a round takes one step at least
+    bool begun = false;  // a round has at least one step
     const auto enough = [&](const IterationRecord& record) {
       return std::exchange(begun, true) && record.residual < settled;
     };

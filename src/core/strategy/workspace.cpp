@@ -25,7 +25,7 @@ bool vcvs_refer_to_given(const SmoothOptions& options) {
   return options.vcv != VcvKind::equal || options.vcv_lengths != 0;
 }
 
-/// Whether what is prepared for one run can do for another with these classes.
+/// Whether the products of one run can be used for another with these classes.
 bool same_unknowns(const std::shared_ptr<const NodeClasses>& a, const NodeClasses& b) {
   return a && a->same_unknowns(b) &&
          a->sliding().element_normals() == b.sliding().element_normals();
@@ -38,7 +38,7 @@ void SmoothingWorkspace::prepare(const MeshState& state,
                                  const SmoothOptions& options) {
   run_ = {};
   if (!classes_ || classes_->shared_topology() != classes->shared_topology())
-    made_ = {};  // for the sake of memory: the keys are others
+    made_ = {};  // frees memory: the keys have changed
   classes_ = classes;
   if (!same_unknowns(unknowns_, *classes)) unknowns_ = classes;
   options_ = options;
@@ -106,7 +106,7 @@ Index SmoothingWorkspace::adjust_vcvs(const Coordinates& x) {
   if (!in_space() || !follows_mesh(options_.vcv)) return 0;
   const ComputedVcvs before = computed_vcvs();
   if (before.of_tangle && !tangled(x)) {
-    // Neither angles nor lengths of a tangle are worth keeping.
+    // Neither angles nor lengths of a tangled mesh are useful.
     run_.adjusted = make_vcvs(x);
     return classes_->topology().node_count();
   }
@@ -122,8 +122,8 @@ bool SmoothingWorkspace::adjust_tangled_vcvs(const Coordinates& x) {
 
 const std::shared_ptr<LinearSolver>& SmoothingWorkspace::general_solver(KeyedSolver& solver) {
   return solver.of({unknowns_, options_.threads, options_.linear}, [&] {
-    // One that takes symmetric matrices only still serves the variational form; the pointwise
-    // form's systems, needed for untangling, then go to the automatic choice.
+    // A solver for symmetric matrices only is still used for the variational form; the pointwise
+    // form's systems, needed for untangling, then use the automatic choice.
     LinearOptions chosen = options_.linear;
     if (linear_solver_needs_symmetry(chosen.solver)) chosen.solver = "automatic";
     return std::shared_ptr<LinearSolver>(make_linear_solver(chosen, options_.threads));
