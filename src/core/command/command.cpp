@@ -15,7 +15,7 @@ namespace winslow {
 
 namespace {
 
-// Rounded to what one reads, so that names stay short: the command itself has all digits.
+// Rounded to keep names short: the command itself has all digits.
 std::string angle(double degrees) {
   const double rounded = std::round(100 * degrees) / 100;
   return number_text(rounded != 0 ? rounded : degrees);
@@ -108,7 +108,7 @@ CommandResult finish(const MeshState& state, Coordinates x, SmoothResult smooth)
   return result;
 }
 
-/// What surface meshes cannot do is refused by name.
+/// Refuses, by name, options that surface meshes do not support.
 void require_surface_options(const SmoothOptions& smooth, const Topology& topology) {
   const auto refuse = [&](std::string_view what) { require_plane(topology, what); };
   if (smooth.formulation != Formulation::variational) refuse("the pointwise form");
@@ -117,11 +117,11 @@ void require_surface_options(const SmoothOptions& smooth, const Topology& topolo
   if (smooth.keep_outside.given()) refuse("keep-outside");
 }
 
-/// A surface mesh whose nodes were put onto another surface than its own.
+/// Whether the nodes of a surface mesh were moved onto a reference surface.
 bool is_on_reference(const MeshState& state) { return state.surface && state.surface->reference; }
 
-/// A state of a surface mesh with the shape that its nodes stay on, put there if that is, or was,
-/// another surface than its own.
+/// The state of a surface mesh with the shape of its nodes. Moves the nodes onto the shape if that
+/// is, or was, a reference surface.
 MeshState with_shape(const MeshState& state, const ResolvedSlide& slide) {
   MeshState copy = state;
   if (!is_surface(*state.mesh.topology)) return copy;
@@ -131,9 +131,9 @@ MeshState with_shape(const MeshState& state, const ResolvedSlide& slide) {
   return copy;
 }
 
-/// What a command begins from: sliding nodes of a volume mesh are put onto the reference surface
-/// that they are to slide on. Before a motion, which leads through valid meshes, that must not
-/// invert elements. None: there is no such surface.
+/// The start of a command: sliding nodes of a volume mesh are projected onto their reference
+/// surface. Before a motion, which needs valid meshes, the projection must not invert elements.
+/// None: no reference surface.
 std::optional<ReferenceStart> on_reference(const Command& command, const MeshState& state,
                                            const RunOptions& options) {
   const SmoothOptions* smooth = smooth_options(command);
@@ -144,9 +144,9 @@ std::optional<ReferenceStart> on_reference(const Command& command, const MeshSta
   return placed;
 }
 
-/// The gate: refuses, by name, commands and options that the kind of mesh does not take, and what
-/// has too many or too few components for it. Entries of displacement tables are refused where they
-/// are matched to nodes, by their lines.
+/// Refuses, by name, commands and options that the kind of mesh does not support, and vectors with
+/// a wrong number of components. Entries of displacement tables are checked later, when they are
+/// matched to nodes, with their line numbers.
 void require_dimension(const Command& command, const MeshState& state) {
   const Topology& topology = *state.mesh.topology;
   const int dimension = topology.cell_dimension();
@@ -167,7 +167,7 @@ void require_dimension(const Command& command, const MeshState& state) {
   validate(smooth->keep_outside, dimension);
 }
 
-/// Limits of the quality are kept on a path, so there has to be one.
+/// Quality limits require a path.
 void require_path(const MotionOptions& how, const SmoothOptions& smooth) {
   if (!how.floor.given() || follows_path(how, smooth)) return;
   throw UsageError(
@@ -204,7 +204,7 @@ CommandResult execute_one(const SmoothCommand& command, const MeshState& given,
   const MeshState state = with_shape(given, {command.smooth.slide, options.files});
   Coordinates x = starting_point(state, options);
   RunOptions run = options;
-  // Edits say what is wanted instead.
+  // Edited VCVs define the wanted shapes instead.
   const auto plane_vcvs = state.vcvs.plane();
   run.never_worse = !state.vcvs.by_hand() && (!plane_vcvs || plane_vcvs->edits().empty());
   SmoothResult result = command.smooth.slide.surface_first
@@ -231,7 +231,7 @@ CommandResult execute_one(const DeformCommand& command, const MeshState& state,
 }
 
 /// Uniform in [0, 1) from the generator's top 53 bits: std::uniform_real_distribution may differ
-/// from one standard library to the next, and a seed must mean the same mesh everywhere.
+/// from one standard library to the next, and a seed must give the same mesh everywhere.
 double uniform(std::mt19937_64& generator) {
   return static_cast<double>(generator() >> 11) * 0x1.0p-53;
 }
@@ -242,7 +242,7 @@ CommandResult scrambled(const MeshState& state, Coordinates x) {
   return finish(state, std::move(x), std::move(result));
 }
 
-/// Nodes stay on the surface and, so that the mesh still covers it once, near their places.
+/// Nodes stay on the surface, and near their positions so that the mesh still covers it once.
 CommandResult scramble_surface(const MeshState& state, std::mt19937_64& generator) {
   constexpr double reach = 6;  // mean edges at the node
   const MeshState shaped = is_on_reference(state) ? state : with_shape(state, {});
@@ -297,8 +297,8 @@ CommandResult execute_one(const LayersCommand& command, const MeshState& state,
   return result;
 }
 
-// A third component that is left out is 0 where the mesh lies, in its frame not. By how many
-// numbers a place was given stays as it is.
+// A missing third component is 0 in the mesh's coordinates, but not in the frame. The number of
+// given components is preserved.
 void put_in_frame(MoveCommand& command, const LocalFrame& frame) {
   for (MovingBody& body : command.bodies)
     if (body.motion.pivot) *body.motion.pivot -= frame.origin();
@@ -321,18 +321,18 @@ void put_in_frame(LayersCommand& command, const LocalFrame& frame) {
   }
 }
 
-// These name no place.
+// These commands contain no positions.
 void put_in_frame(SmoothCommand&, const LocalFrame&) {}
 void put_in_frame(ScrambleCommand&, const LocalFrame&) {}
 void put_in_frame(EditVcvCommand&, const LocalFrame&) {}
 
-/// The places that a result names.
+/// Converts the positions in a result.
 void put_in_mesh(SmoothResult& result, const LocalFrame& frame) {
   if (result.contact) put_in_mesh(result.contact->edges, frame);
   if (result.gap) put_in_mesh(result.gap->edges, frame);
 }
 
-/// Entries that match no node are refused by the places that the user knows.
+/// Refuses entries that match no node, before the conversion: messages show the user's positions.
 void check_places(const Command& command, const MeshState& state) {
   const auto* deform = std::get_if<DeformCommand>(&command);
   if (deform == nullptr) return;
@@ -340,7 +340,7 @@ void check_places(const Command& command, const MeshState& state) {
     make_motion(*state.mesh.topology, state.mesh.coordinates, deform->markers, *table);
 }
 
-/// Hands meshes on the way to another monitor, where that wants to see them.
+/// Converts intermediate meshes for another monitor.
 class MonitorInFrame final : public SolverMonitor {
  public:
   MonitorInFrame(SolverMonitor* monitor, const LocalFrame& frame, const Coordinates& rest)
@@ -360,7 +360,7 @@ class MonitorInFrame final : public SolverMonitor {
   const Coordinates& rest_;
 };
 
-/// The command said in the coordinates of a frame: pivots, places of displacements, boxes of walls.
+/// The command in the coordinates of a frame: pivots, positions of displacements, boxes of walls.
 Command in_frame(Command command, const LocalFrame& frame) {
   std::visit([&](auto& c) { put_in_frame(c, frame); }, command);
   if (SmoothOptions* smooth = smooth_options(command))
@@ -372,7 +372,7 @@ CommandResult carry_out(const Command& command, const MeshState& state, const Ru
   return std::visit([&](const auto& c) { return execute_one(c, state, options); }, command);
 }
 
-/// Carries out a command in the coordinates of a frame; start, meshes on the way and result are in
+/// Executes a command in the coordinates of a frame; start, intermediate meshes and result are in
 /// those of the state.
 CommandResult carry_out_in(const LocalFrame& frame, const Command& command, const MeshState& state,
                            const RunOptions& options) {
@@ -394,7 +394,8 @@ CommandResult carry_out_in(const LocalFrame& frame, const Command& command, cons
   return result;
 }
 
-/// Of a plane or volume mesh: in coordinates near it, its sliding nodes on their reference surface.
+/// Executes a command on a plane or volume mesh: in coordinates near the mesh, with sliding nodes
+/// on their reference surface.
 CommandResult carry_out_near_origin(const Command& command, const MeshState& state,
                                     const RunOptions& options) {
   const LocalFrame frame(state.mesh);
@@ -433,7 +434,7 @@ SmoothOptions* smooth_options(Command& command) {
       command);
 }
 const SmoothOptions* smooth_options(const Command& command) {
-  return smooth_options(const_cast<Command&>(command));  // which is only looked into
+  return smooth_options(const_cast<Command&>(command));  // only read
 }
 
 bool follows_path(const MotionOptions& how, const SmoothOptions& smooth) {
@@ -502,7 +503,7 @@ CommandResult execute(const ResolvedCommand& resolved, const MeshState& state,
   CommandResult result = is_surface(*state.mesh.topology)
                              ? carry_out(command, state, options)
                              : carry_out_near_origin(command, state, options);
-  // Whatever way it went: the count is that of the mesh that is handed over.
+  // The count always refers to the returned mesh.
   const Mesh& mesh = result.state.mesh;
   const std::vector<Vec3> normals = reference_normals(result.state, mesh.coordinates);
   result.smooth.inverted = check_validity(*mesh.topology, mesh.coordinates, 0, normals).inverted;

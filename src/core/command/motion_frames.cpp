@@ -5,8 +5,8 @@
 namespace winslow {
 namespace {
 
-/// Keeps the mesh after every iteration, or, of long solves, after every second, fourth, ...: no
-/// more than a few hundred.
+/// Collects the mesh after every iteration, in long solves after every second, fourth, ...: at most
+/// a few hundred.
 class MeshCollector : public SolverMonitor {
  public:
   MeshCollector(std::shared_ptr<const Topology> topology, const FrameChoice& choice)
@@ -42,7 +42,7 @@ bool same_place(const Mesh& a, const Mesh& b) {
   return a.coordinates.size() == b.coordinates.size() && a.coordinates == b.coordinates;
 }
 
-/// The meshes that follow one another from `first` on, with those between them; without `first`.
+/// The meshes after `first` with the interpolated meshes between them; without `first`.
 std::vector<Mesh> whole_way(const Mesh& first, std::vector<Mesh> meshes,
                             std::span<const std::vector<Index>> moved) {
   std::vector<Mesh> way;

@@ -12,7 +12,7 @@ bool complete(const CommandResult& result) {
 
 }  // namespace
 
-/// None: that way ends before the place.
+/// None: no path leads from the last mesh to the end of the motion.
 std::optional<CommandResult> MovingMesh::from_last(const ResolvedCommand& command,
                                                    const RunOptions& options) const {
   if (!last_) return std::nullopt;
@@ -22,7 +22,7 @@ std::optional<CommandResult> MovingMesh::from_last(const ResolvedCommand& comman
     CommandResult result = execute(command, given_, run);
     if (complete(result)) return result;
   } catch (const NumericError&) {
-    // The way from the mesh as given has the last word.
+    // Falls back to the path from the mesh as given.
   }
   return std::nullopt;
 }

@@ -11,7 +11,7 @@ OptionTable option_table(QualityFloor& floor) {
     const Metric metric = limited_metrics()[m];
     const bool plane = m < reported_metrics(2).size();
     const FieldInfo& info = metric_info(metric, plane ? 2 : 3).field;
-    // On the command line they are given together, as --min-quality METRIC=VALUE.
+    // The command line has one flag for all of them: --min-quality METRIC=VALUE.
     rows.push_back({.key = info.name,
                     .value = OptionalRealOption{&floor.limits[m]},
                     .label = info.label,

@@ -27,7 +27,7 @@ void check_shares(const DragGrip& grip, double rotate) {
   if (rotate != 0) throw UsageError("a part of a boundary can be moved, but not turned");
 }
 
-/// Distances along a loop from a position, in one direction, until they pass `radius`.
+/// Visits distances along a loop from a position, in one direction, up to `radius`.
 template <class Visit>
 void walk(const std::vector<Index>& loop, const Coordinates& x, std::size_t from, bool forward,
           double radius, const Visit& visit) {
@@ -75,7 +75,7 @@ RigidMotion fit_motion(std::span<const Index> nodes, std::span<const double> sha
     sum += shares[i] * (place_of(x, nodes[i]) - place_of(rest, nodes[i]));
     weight += shares[i] * shares[i];
   }
-  RigidMotion motion = fit_rigid_motion({}, rest, x);  // none, in space with an axis
+  RigidMotion motion = fit_rigid_motion({}, rest, x);  // the identity, in space with an axis
   if (weight > 0) motion.translate = sum / weight;
   return motion;
 }
@@ -112,9 +112,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The distance of c that a triangle a, b, c gives, where those of a and b are known: that of the
-/// point of its plane, beyond the edge, which is as far from a and b as the source is; the way
-/// along an edge where the straight one does not cross the triangle.
+/// The distance of c in a triangle a, b, c with known distances of a and b: from the virtual source
+/// in its plane, beyond the edge a b, with these distances. If the straight line from there does
+/// not cross the triangle, the distance along an edge.
 double distance_across(const Vec3& a, double to_a, const Vec3& b, double to_b, const Vec3& c) {
   const double along_edges = std::min(to_a + (c - a).norm(), to_b + (c - b).norm());
   const double length = (b - a).norm();
@@ -122,7 +122,7 @@ double distance_across(const Vec3& a, double to_a, const Vec3& b, double to_b, c
   const Vec3 unit = (b - a) / length;
   const double x = (c - a).dot(unit);
   const double y = (c - a - x * unit).norm();
-  // Both are held: so is the edge between them.
+  // Both nodes are held, so the edge between them is the source.
   if (to_a == 0 && to_b == 0) return x >= 0 && x <= length ? y : along_edges;
   const double from_x = (to_a * to_a - to_b * to_b + length * length) / (2 * length);
   const double from_y2 = to_a * to_a - from_x * from_x;
@@ -134,7 +134,7 @@ double distance_across(const Vec3& a, double to_a, const Vec3& b, double to_b, c
   return std::hypot(x - from_x, y + from_y);
 }
 
-/// The triangles of a surface, its nodes numbered from 0 on.
+/// The triangles of a surface, with nodes renumbered from 0.
 struct Triangles {
   std::vector<Index> nodes;                ///< of the mesh, ascending
   std::vector<std::array<Index, 3>> all;   ///< numbers of nodes
@@ -147,7 +147,7 @@ struct Triangles {
     around.resize(nodes.size());
     for (const Face& face : faces) {
       const std::size_t n = face.size();
-      // Both halves of a quadrilateral, by either diagonal.
+      // The halves of a quadrilateral for both diagonals.
       for (std::size_t k = 0; k < (n == 4 ? 4 : n == 3 ? 1 : 0); ++k)
         add({face[k], face[(k + 1) % n], face[(k + 2) % n]});
     }
@@ -169,7 +169,8 @@ struct Triangles {
   }
 };
 
-/// Fast marching: the nearest node that is not final becomes it, and its triangles tell the others.
+/// Fast marching: finalises the nearest node that is not final and updates the nodes of its
+/// triangles.
 class Marching {
  public:
   Marching(const Triangles& triangles, const Coordinates& x)

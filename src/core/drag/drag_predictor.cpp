@@ -8,7 +8,7 @@ namespace winslow {
 
 namespace {
 
-/// The velocity of a point in a rotation about an axis of the plane or of space through 0.
+/// The velocity of a point in a unit rotation about an axis through 0, in the plane or in space.
 Vec2 turning(const Vec2& v, int) { return {-v.y(), v.x()}; }
 Vec3 turning(const Vec3& v, int axis) { return Vec3::Unit(axis).cross(v); }
 
@@ -43,7 +43,7 @@ void DragPredictor::prepare(SteadySolver& solver, const Points<D>& points) {
   }
 }
 
-/// Velocities of all nodes where those held have the given ones, or their shares of them.
+/// Velocities of all nodes if the held nodes have the given ones, or shares of them.
 template <int D, typename Velocity>
 Coordinates DragPredictor::solve_for(SteadySolver& solver, const Velocity& velocity) const {
   Coordinates field(D, base_.size());
@@ -87,7 +87,7 @@ void DragPredictor::evaluate(const RigidMotion& motion, const Points<D>& base,
       out.set<D>(node, p);
     }
   });
-  // To the last bit where the motion itself takes them.
+  // Bitwise equal to the motion itself.
   if (shares_.empty())
     for (const Index node : nodes_) out.set<D>(node, transform(motion, base[node]));
 }

@@ -14,8 +14,8 @@ namespace winslow {
 
 namespace {
 
-/// A motion from one pose to another in parts that turn by no more than a quarter: beyond half a
-/// turn the way back would be the shorter one.
+/// The next part of the motion between two poses, with a rotation of at most a quarter turn: beyond
+/// half a turn the shorter rotation would be in the opposite direction.
 RigidMotion next_part(const RigidMotion& pose, const RigidMotion& target) {
   constexpr double largest_turn = 90;
   RigidMotion way = compose(inverse(pose), target);
@@ -26,8 +26,8 @@ RigidMotion next_part(const RigidMotion& pose, const RigidMotion& target) {
   return compose(pose, way);
 }
 
-/// Adds full turns, which a mesh does not show, to the motion that was fitted to it: as many as a
-/// drag from one pose to another has made when about that fraction of it is done.
+/// Adds full turns, which a fit to a mesh cannot detect, to a fitted motion: as many as a drag
+/// between the poses has made at about this fraction.
 RigidMotion with_turns_of(const RigidMotion& from, const RigidMotion& to, double fraction,
                           const RigidMotion& fitted) {
   const RigidMotion& turning = to.rotate != 0 ? to : from;
@@ -37,24 +37,24 @@ RigidMotion with_turns_of(const RigidMotion& from, const RigidMotion& to, double
 
 }  // namespace
 
-/// The thread and what it shares with its owner. What lies below `mutex_` is guarded by it.
+/// The thread and the data shared with its owner. `mutex_` guards all members below it.
 class DragSession::Impl final : public SolverMonitor {
-  /// A valid mesh on the way to one that is solved for.
+  /// A valid intermediate mesh of the current solve.
   struct Passed {
     Coordinates coordinates;
     RigidMotion pose;  // from the state
     double min_sine;
   };
-  /// A solved mesh: its tangent fields and where the body is in it.
+  /// A solved mesh: its tangent fields and the pose of the body.
   struct Prepared {
     DragPredictor predictor;
     RigidMotion pose;                 // from the state
-    RigidMotion answered;             // what was asked for; the pose where it could be reached
-    std::optional<EdgePair> contact;  // what was in the way
+    RigidMotion answered;             // the requested pose; equal to `pose` if it was reached
+    std::optional<EdgePair> contact;  // what blocked the motion
   };
 
  public:
-  /// origin: of the coordinates of the state, in those of files.
+  /// origin: of the state's coordinates, in the coordinates of files.
   Impl(MeshState state, DragGrip grip, const SmoothOptions& options, std::optional<Start> start,
        ResolvedSlide slide, const Vec3& origin)
       : state_(std::move(state)),
@@ -100,7 +100,7 @@ class DragSession::Impl final : public SolverMonitor {
     frame_.held = !same_motion(frame_.motion, motion);
     frame_.limit = frame_.held && prepared && same_motion(prepared->answered, motion);
     frame_.contact = frame_.held && prepared ? prepared->contact : std::nullopt;
-    // The nearest that there is, however long the rest of the way takes.
+    // Shows the nearest mesh so far while the solve continues.
     if (passed && distance(passed->pose, motion) < distance(frame_.motion, motion)) {
       frame_.coordinates = passed->coordinates;
       frame_.motion = passed->pose;
@@ -153,7 +153,8 @@ class DragSession::Impl final : public SolverMonitor {
   }
 
  private:
-  /// The frame by the tangent fields; false, and no new frame, where that is no valid mesh.
+  /// Predicts the frame by the tangent fields. Returns false without a new frame if the predicted
+  /// mesh is invalid.
   bool predict(const Prepared& prepared, const RigidMotion& motion) {
     prepared.predictor.evaluate(motion_between(grip_, prepared.pose, motion), candidate_);
     const Validity validity = validity_of(candidate_);
@@ -167,7 +168,7 @@ class DragSession::Impl final : public SolverMonitor {
     return true;
   }
 
-  /// How far nodes of the body have to go from one pose to another.
+  /// How far nodes of the body move between two poses.
   double distance(const RigidMotion& from, const RigidMotion& to) const {
     return std::abs(radians(compose(inverse(from), to).rotate)) * radius_ +
            (transform(to, centre_) - transform(from, centre_)).norm();
@@ -177,7 +178,7 @@ class DragSession::Impl final : public SolverMonitor {
     return check_validity(*state_.mesh.topology, x, options_.threads);
   }
 
-  /// Waits for a position that is not solved for yet; empty when the session ends.
+  /// Waits for a position that is not solved yet; empty when the session ends.
   std::optional<RigidMotion> next_target() {
     std::unique_lock lock(mutex_);
     wake_.wait(lock,
@@ -203,7 +204,7 @@ class DragSession::Impl final : public SolverMonitor {
         const bool whole = solve(target, solved_);
         if (solved_ == start && !reached(target, solved_)) restart(target, solved_);
         const bool there = reached(target, solved_);
-        // Where the path ended on the way, the next try waits for another position.
+        // If the path was blocked, the next attempt waits for another position.
         const bool limit = !there && (!whole || solved_ == start);
         const RigidMotion pose = there ? target : fitted_pose(solved_, 0.5);
         publish(pose, limit ? *wanted : pose, solved_);
@@ -216,8 +217,7 @@ class DragSession::Impl final : public SolverMonitor {
     }
   }
 
-  /// Nodes that slide on a reference surface are put there, as they are when the command that ends
-  /// the drag is carried out.
+  /// Projects sliding nodes onto their reference surface, as the command that ends the drag does.
   void prepare() {
     SlideFiles files = slide_.files();
     if (!files.reference) return;
@@ -225,13 +225,13 @@ class DragSession::Impl final : public SolverMonitor {
     slide_ = {options_.slide, std::move(files)};
     ReferenceStart placed = put_on_reference(slide_, state_, &solved_);
     require_no_more_inverted(slide_, state_.mesh, placed.state.mesh);
-    // Where the body is does not change: it does not slide.
+    // The body does not slide, so its position is unchanged.
     state_.mesh.coordinates = std::move(placed.state.mesh.coordinates);
     solved_ = placed.start ? std::move(*placed.start) : state_.mesh.coordinates;
   }
 
-  /// From the mesh solved for last along the path to where the body is wanted. False if the path
-  /// could not be followed to its end.
+  /// Follows the path from the last solved mesh to the target pose. Returns false if the path could
+  /// not be followed to its end.
   bool solve(const RigidMotion& target, Coordinates& x) {
     const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
     const Coordinates start = x;
@@ -246,7 +246,7 @@ class DragSession::Impl final : public SolverMonitor {
     return result.fraction_reached >= 1;
   }
 
-  /// A mesh pressed against a wall may find no way back: the way from the state may be open.
+  /// Solves again from the state: a mesh compressed against a wall may have no path back.
   void restart(const RigidMotion& target, Coordinates& x) {
     const auto motion = make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, target);
     RunOptions run;
@@ -259,7 +259,7 @@ class DragSession::Impl final : public SolverMonitor {
     if (reached(target, other) && validity_of(other).inverted == 0) x = std::move(other);
   }
 
-  /// answered: the position asked for that this mesh is the answer to.
+  /// answered: the requested position that this mesh answers.
   void publish(const RigidMotion& pose, const RigidMotion& answered, const Coordinates& x) {
     auto prepared = std::make_shared<const Prepared>(
         Prepared{DragPredictor(cache_.workspace().steady_solver(), x, nodes_, grip_.shares,
@@ -281,11 +281,11 @@ class DragSession::Impl final : public SolverMonitor {
     }
     return true;
   }
-  /// Where the body is in a mesh about that far from from_ to target_.
+  /// The pose of the body in a mesh at about this fraction of the motion from from_ to target_.
   RigidMotion fitted_pose(const Coordinates& x, double fraction) const {
     RigidMotion pose = with_turns_of(from_, target_, fraction,
                                      fit_motion(nodes_, grip_.shares, state_.mesh.coordinates, x));
-    // The history would show the round-off of the fit.
+    // Avoids round-off of the fit in the history.
     constexpr double round_off = 1e-10;  // degrees
     if (std::abs(pose.rotate) < round_off) {
       const Vec3 moved = transform(pose, centre_) - centre_;
@@ -325,7 +325,7 @@ class DragSession::Impl final : public SolverMonitor {
 
 namespace {
 
-/// The same motion, of points counted from elsewhere.
+/// The same motion in the coordinates of the frame.
 RigidMotion in_frame(RigidMotion motion, const LocalFrame& frame) {
   motion.pivot = frame.to_local(pivot_of(motion));
   return motion;

@@ -102,8 +102,8 @@ void take_lengths(VolumeTerm& term, const std::array<Index, 4>& cell, const Spac
     term = volume_term(normalized_metric(back * *scaled * back.transpose()), term.weight);
     return true;
   };
-  // At an edge of a hexahedron, the edges from the first node also include one at right angles to
-  // both others.
+  // all_right first: at an edge of a hexahedron, the edges from the first node also include one at
+  // right angles to both others.
   for (const bool all_right : {true, false})
     for (std::size_t choice = 0; choice < edge_choices.size(); ++choice)
       if (try_choice(choice, all_right)) return;

@@ -14,13 +14,13 @@ constexpr int unlimited = -1;
 
 using Clock = std::chrono::steady_clock;
 
-/// Long drags would otherwise make every snapshot longer than the one before.
+/// Limits the size of snapshots in long drags.
 constexpr std::size_t longest_history = 4000;
 
 }  // namespace
 
-/// The thread and what it shares with its owner. Everything below `mutex_` is guarded by it; what
-/// is above belongs to the worker alone.
+/// The thread and the data shared with its owner. `mutex_` guards all members below it; those above
+/// belong to the worker alone.
 class SolverThread::Impl final : public SolverMonitor {
  public:
   Impl() : worker_([this] { work(); }) {}
@@ -45,7 +45,7 @@ class SolverThread::Impl final : public SolverMonitor {
       Snapshot first;
       first.job = job;
       first.state = JobState::running;
-      // A part of the state, which a large mesh is not copied for.
+      // Shares the mesh of the state to avoid copying a large mesh.
       first.mesh = start ? std::make_shared<const Mesh>(Mesh{state->mesh.topology, *start})
                          : std::shared_ptr<const Mesh>(state, &state->mesh);
       first.command = command;
@@ -67,14 +67,14 @@ class SolverThread::Impl final : public SolverMonitor {
         cancel_ = false;
         return;
       }
-      // A job that was told to stop would take its new target with it.
+      // A job that is being cancelled would discard the new target.
       if (active_ && !cancel_) {
         retarget_ = std::move(command);
       } else {
         again.emplace(base_, latest_->mesh->coordinates);
       }
     }
-    if (again) {  // the command was not moved from then
+    if (again) {  // the command was not moved from in this case
       // NOLINTNEXTLINE(bugprone-use-after-move)
       run(std::move(again->first), std::move(command), std::move(again->second), false);
     } else {
@@ -175,14 +175,14 @@ class SolverThread::Impl final : public SolverMonitor {
     Resolve resolve;
   };
 
-  /// A new target waits until the old one has had one iteration, or a fast mouse would starve the
-  /// solver.
+  /// A new target waits until the old one has had one iteration; otherwise a fast mouse would
+  /// starve the solver.
   bool interrupted(bool opening) const {
     return quit_ || cancel_ || request_.has_value() || (retarget_.has_value() && !opening);
   }
 
-  /// Called with the mutex held: leaves what was just published on show for as long as the pace
-  /// says, unless there is something else to do. A pace that is changed meanwhile counts at once.
+  /// Waits after a published snapshot according to the pace, unless interrupted. A change of the
+  /// pace applies at once. Called with the mutex held.
   void keep_pace(std::unique_lock<std::mutex>& lock, bool opening) {
     while (interval_ > Clock::duration::zero() && allowed_ != 0 && !interrupted(opening)) {
       const Clock::time_point due = last_shown_ + interval_;
@@ -202,7 +202,7 @@ class SolverThread::Impl final : public SolverMonitor {
     if (!request_) publish_locked(picture(state));
   }
 
-  /// Where the job stands, as the worker sees it.
+  /// Snapshot of the job from the worker's data.
   Snapshot picture(JobState state) const {
     Snapshot snapshot;
     snapshot.job = current_.job;
@@ -232,7 +232,7 @@ class SolverThread::Impl final : public SolverMonitor {
     }
   }
 
-  /// One execution of the current command; true if a new target came in on the way.
+  /// Executes the current command once. Returns true if a new target arrived meanwhile.
   bool run_once() {
     std::optional<CommandResult> result;
     JobState state = JobState::done;
@@ -274,10 +274,10 @@ class SolverThread::Impl final : public SolverMonitor {
 
   SolverCache cache_;
   Request current_;
-  std::shared_ptr<const Topology> topology_;  // that reached_ is of
+  std::shared_ptr<const Topology> topology_;  // of reached_
   Coordinates reached_;
   std::vector<IterationRecord> history_;
-  int iterations_ = 0;         // of this job, over all its targets
+  int iterations_ = 0;         // of this job, for all its targets
   int first_iteration_ = 0;    // number of the present execution's opening record
   bool fresh_target_ = false;  // the next record opens an execution
 
@@ -287,7 +287,7 @@ class SolverThread::Impl final : public SolverMonitor {
   bool cancel_ = false;
   bool active_ = false;
   Clock::duration interval_{};               // between two outer iterations; 0: none
-  Clock::time_point last_shown_{};           // when the worker last went on
+  Clock::time_point last_shown_{};           // when the worker last continued
   int allowed_ = unlimited;                  // outer iterations until the next pause
   std::optional<std::uint64_t> viewer_saw_;  // serial; none: there is no viewer
   std::uint64_t last_job_ = 0;
@@ -297,7 +297,7 @@ class SolverThread::Impl final : public SolverMonitor {
   std::optional<Command> retarget_;
   std::shared_ptr<const Snapshot> latest_ = std::make_shared<const Snapshot>();
 
-  std::thread worker_;  // last: it starts when everything else is there
+  std::thread worker_;  // last: starts after all other members are initialised
 };
 
 SolverThread::SolverThread() : impl_(std::make_unique<Impl>()) {}

@@ -126,15 +126,16 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 
 #if defined(WINSLOW_HAS_KLU)
-/// On square matrices the analysis can fail only for lack of memory; the factorisation then finds
-/// no valid analysis.
+/// On square matrices the analysis can fail only for lack of memory; the factorisation then reports
+/// invalid input.
 bool ran_out_of_memory(Eigen::KLU<Matrix>& lu) {
   const int status = lu.kluCommon().status;
   return status == KLU_OUT_OF_MEMORY || status == KLU_TOO_LARGE || status == KLU_INVALID;
 }
 #endif
 #if defined(WINSLOW_HAS_UMFPACK)
-/// The analysis does not report its failure otherwise, but does not fail on square matrices.
+/// A failed analysis shows only as an invalid symbolic object; on square matrices it can fail only
+/// for lack of memory.
 bool ran_out_of_memory(const Eigen::UmfPackLU<Matrix>& lu) {
   return lu.umfpackFactorizeReturncode() == UMFPACK_ERROR_out_of_memory ||
          lu.umfpackFactorizeReturncode() == UMFPACK_ERROR_invalid_Symbolic_object;

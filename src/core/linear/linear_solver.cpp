@@ -309,10 +309,10 @@ class AutomaticSolver final : public LinearSolver {
   /// Limits at which a factorisation replaces an iteration. In the plane and on surfaces its work
   /// grows with the power 3/2 of the size, that of an iteration linearly.
   struct Limits {
-    Index factorise;   ///< largest matrix of which a factorisation is worth its memory, if need be
-    Index hard;        ///< largest of which it is the faster where an iteration is slow
-    double many;       ///< iterations from which one is slow,
-    double many_rows;  ///< times the square root of the rows over these; 0: at any size
+    Index factorise;   ///< largest matrix that is worth the memory of a factorisation
+    Index hard;        ///< largest matrix with faster factorisation if an iteration is slow
+    double many;       ///< number of iterations that counts as slow,
+    double many_rows;  ///< times sqrt(rows / many_rows); 0: for any size
   };
   const Limits& limits() const {
     static constexpr Limits plane{std::numeric_limits<Index>::max(), 300'000, 100, 1e5};

@@ -34,7 +34,7 @@ class ContactSearch {
   std::optional<Contact> first() {
     if (outline_.moving.facets.empty() || !apart_at_rest()) return std::nullopt;
     const std::vector<std::size_t> all = all_moving();
-    constexpr int intervals = 64;  // short enough to see a body cross itself
+    constexpr int intervals = 64;  // short enough to detect a body that crosses itself
     Positions from(*this, 0);
     for (int k = 0; k < intervals; ++k) {
       const double begin = static_cast<double>(k) / intervals;
@@ -53,8 +53,8 @@ class ContactSearch {
     double middle() const { return 0.5 * (begin + end); }
   };
 
-  /// The nodes at some fraction, and the facets between a node that moves and one that stays.
-  /// Copies of all nodes are kept for the next one: a motion writes the same few each time.
+  /// Provides the node positions at a fraction. Keeps copies of all nodes for later calls: a motion
+  /// writes the same few nodes each time.
   class Positions {
    public:
     Positions(const ContactSearch& search, double fraction) : search_(&search) {
@@ -87,7 +87,7 @@ class ContactSearch {
     BoxTree<D> joints_;
   };
 
-  /// Nodes that say where a body is that keeps its shape: two in the plane, three in space.
+  /// Nodes that determine the position of a rigid body: two in the plane, three in space.
   std::vector<Index> reference_nodes() const {
     const auto nodes = motion_.nodes();
     std::vector<Index> references{nodes.front(), nodes.back()};
@@ -99,7 +99,7 @@ class ContactSearch {
     return references;
   }
 
-  /// A body that keeps its shape never meets itself.
+  /// Whether the body keeps its shape: then it never meets itself.
   bool keeps_distances() const {
     const auto nodes = motion_.nodes();
     if (nodes.empty()) return true;
@@ -122,8 +122,8 @@ class ContactSearch {
     });
   }
 
-  /// Of each moving facet the number of its body, or `any` for one that is of two. Nothing where
-  /// there is one body.
+  /// For each moving facet the index of its body, or `any` if it belongs to two. Empty for a single
+  /// body.
   std::vector<int> bodies_of_facets() const {
     const auto bodies = motion_.bodies();
     std::vector<int> of_facet;
@@ -140,7 +140,7 @@ class ContactSearch {
       int body = any;
       bool mixed = false;
       for (const Index node : nodes) {
-        // A node of two bodies goes with each of them.
+        // A node of two bodies moves with both.
         if (of_node[at(node)] == any || shared[at(node)]) continue;
         mixed = mixed || (body != any && body != of_node[at(node)]);
         body = of_node[at(node)];
@@ -151,7 +151,7 @@ class ContactSearch {
   }
 
   bool several_bodies() const { return !body_.empty(); }
-  /// Moving facets that can come nearer to each other: two of one body that keeps its shape cannot.
+  /// Whether two moving facets can approach each other: two facets of one rigid body cannot.
   bool move_apart(std::size_t e, std::size_t f) const {
     return !several_bodies() || body_[e] == any || body_[e] != body_[f];
   }
@@ -162,8 +162,8 @@ class ContactSearch {
     return all;
   }
 
-  /// Remembers the facets that touch before the motion, as those of a crack do; they say nothing
-  /// about it. False if facets cross.
+  /// Stores the pairs of facets that touch before the motion, e.g. at a crack; they are ignored.
+  /// Returns false if facets cross.
   bool apart_at_rest() {
     bool apart = true;
     const auto judge = [&](const FacetNodes<D>& own, const FacetNodes<D>& other) {
@@ -191,12 +191,12 @@ class ContactSearch {
     return std::minmax(a, b);
   }
 
-  /// Facets that can tell something by where they are to one another.
+  /// Whether two facets are tested for contact: without a common node, and not touching at rest.
   bool eligible(const FacetNodes<D>& a, const FacetNodes<D>& b) const {
     return !share_node(a, b) && (touching_.empty() || !touching_.contains(ordered(a, b)));
   }
 
-  /// Calls `visit(nodes, marker)` with the facets that a moving facet within that box may meet,
+  /// Calls `visit(nodes, marker)` with the facets that a moving facet inside the box may meet,
   /// until it returns true.
   template <class Visit>
   bool any_near(std::size_t e, const Box<D>& box, const Positions& positions,
@@ -240,7 +240,7 @@ class ContactSearch {
     return pair;
   }
 
-  /// The first of some of the moving facets that meets another facet.
+  /// The first of the given moving facets that meets another facet.
   std::optional<EdgePair> meeting_of(const Positions& positions,
                                      std::span<const std::size_t> facets) const {
     const Coordinates& x = positions.x();
@@ -271,8 +271,8 @@ class ContactSearch {
     return rigid_ ? std::nullopt : meeting_of_itself(positions.x());
   }
 
-  /// The box that a facet sweeps, from three positions: the arc between them is no farther out than
-  /// the middle one is from the chord.
+  /// The swept box of a facet, from three positions: the arc extends beyond them by at most the
+  /// distance of the middle position from the chord.
   Box<D> swept(std::size_t e, const Coordinates& from, const Coordinates& middle,
                const Coordinates& to) const {
     const FacetNodes<D>& nodes = outline_.moving.facets[e];
@@ -328,7 +328,7 @@ class ContactSearch {
     return within({interval.middle(), interval.end}, middle, to, close);
   }
 
-  /// Between a fraction at which all are apart and one at which facets meet.
+  /// Bisects between a fraction without contact and one with contact.
   Contact refined(double free, double blocked) const {
     Contact contact{free, *meeting_at(blocked)};
     constexpr int halvings = 12;
@@ -389,11 +389,11 @@ std::optional<Gap> gap_of(const Topology& topology, const Coordinates& x,
     const Facet<D> piece = facet(own, x);
     Vec<D> centre = Vec<D>::Zero();
     for (const Vec<D>& corner : piece) centre += corner / D;
-    double reach = 0;  // of the facet from its centre
+    double reach = 0;  // extent of the facet from its centre
     for (const Vec<D>& corner : piece) reach = std::max(reach, (corner - centre).norm());
     const auto separation = [&](Index f) {
       const FacetNodes<D>& other = outline.fixed.facets[static_cast<std::size_t>(f)];
-      // As far away as anything that is not asked for.
+      // Farther than any distance of interest.
       if (share_node(own, other)) return 2 * (width + reach);
       return reach + distance(piece, facet(other, x));
     };

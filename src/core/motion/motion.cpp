@@ -28,7 +28,7 @@ class Rigid final : public Motion {
     const Eigen::Matrix<double, D, D> rotation = rotation_by(radians(rotate_ * fraction));
     for (const Index node : nodes_) {
       const Vec<D> p = rest.get<D>(node);
-      // A pure translation must not pass through the pivot: that would round.
+      // A pure translation must not use the pivot, which would cause rounding.
       const Vec<D> turned = rotate_ == 0 ? p : Vec<D>(pivot_ + rotation * (p - pivot_));
       out.set<D>(node, turned + fraction * translate_);
     }
@@ -78,7 +78,7 @@ void require_own_markers(std::span<const MovingBody> bodies) {
   }
 }
 
-/// The first of some markers that a node belongs to.
+/// The first of the given markers to which a node belongs.
 std::string marker_at(const Topology& topology, const std::vector<std::string>& markers,
                       Index node) {
   for (const std::string& name : markers) {
@@ -88,7 +88,7 @@ std::string marker_at(const Topology& topology, const std::vector<std::string>& 
   return {};
 }
 
-/// A node of two bodies stays one node: both have to take it along the same arc.
+/// Both bodies of a common node must move it along the same arc.
 void require_together(const Topology& topology, const Coordinates& rest,
                       std::array<const MovingBody*, 2> bodies,
                       std::array<const Motion*, 2> motions) {
@@ -98,7 +98,7 @@ void require_together(const Topology& topology, const Coordinates& rest,
   if (shared.empty()) return;
   constexpr double relative = 1e-9;  // of rounding errors
   const double least = relative * body_box(rest, motions[1]->nodes()).size().norm();
-  // Arcs that meet at four fractions are the same.
+  // Arcs that agree at four fractions are identical.
   for (const double fraction : {0.25, 0.5, 0.75, 1.0}) {
     Coordinates by_one = rest, by_other = rest;
     motions[0]->apply(rest, fraction, by_one);
@@ -150,7 +150,7 @@ void require_finite(double value, const char* what) {
 }
 
 OptionTable option_table(RigidMotion& motion) {
-  // What the program found is of space where it has an axis.
+  // Computed motions are spatial if they have an axis.
   const int numbers = motion.axis ? 3 : 2;
   return {
       {.key = "rotate",
@@ -221,7 +221,7 @@ OptionTable option_table(SineDeformation& sine) {
 
 namespace {
 
-/// Displacements known once and for all, applied in proportion.
+/// Constant displacements, applied in proportion to the fraction.
 template <int D>
 class Displaced final : public Motion {
  public:
@@ -257,7 +257,7 @@ double fade_factor(const SineDeformation& options, double s) {
   return factor;
 }
 
-/// The direction of the displacement and the way in which the sine runs, of length 1.
+/// Unit vectors: the direction of the displacement, and the direction in which the sine varies.
 template <int D>
 std::pair<Vec<D>, Vec<D>> directions_of(const SineDeformation& options);
 
@@ -307,7 +307,7 @@ std::unique_ptr<Motion> sine_motion(std::vector<Index> nodes, const Coordinates&
   return std::make_unique<Displaced<D>>(std::move(nodes), std::move(displacements));
 }
 
-/// Matches entries given by position to nodes: the nearest within a tolerance.
+/// Matches entries given by position to the nearest nodes within a tolerance.
 template <int D>
 class NodeFinder {
  public:
@@ -354,7 +354,7 @@ std::string place_of_entry(const DisplacementEntry& entry) {
   throw UsageError(file + line + ": " + who + " " + why);
 }
 
-/// Something of an entry. Throws UsageError for a component too few.
+/// A position or displacement of an entry. Throws UsageError if a component is missing.
 template <int D>
 Vec<D> components(const DisplacementTable& table, std::size_t k, const GivenVector& given,
                   const char* missing) {

@@ -52,26 +52,26 @@ double longest_edge(const Facet<3>& t) {
   return std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
 }
 
-/// A triangle with what is asked about its plane.
+/// A triangle with queries about its plane.
 class PlaneOf {
  public:
-  /// reach: largest extent of what it is compared with.
+  /// reach: largest extent of the compared facet.
   PlaneOf(const Facet<3>& t, double reach)
       : t_(t), normal_((t[1] - t[0]).cross(t[2] - t[0])), area_(normal_.norm()) {
     least_ = round_off * area_ * std::max(longest_edge(t), reach);
     normal_.cwiseAbs().maxCoeff(&dropped_);
   }
 
-  /// Six times the volume over the triangle, 0 for a point in its plane.
+  /// Six times the signed volume of the point over the triangle, 0 for a point in its plane.
   double side(const Vec3& p) const {
     const double volume = normal_.dot(p - t_[0]);
     return std::abs(volume) <= least_ ? 0 : volume;
   }
 
-  /// Seen along the axis that is nearest to the normal.
+  /// Projection along the axis that is nearest to the normal.
   Vec2 flat(const Vec3& p) const { return {p[(dropped_ + 1) % 3], p[(dropped_ + 2) % 3]}; }
 
-  /// Where a point of the plane is: > 0 inside, 0 on the outline, < 0 outside.
+  /// Location of a point in the plane: > 0 inside, 0 on the outline, < 0 outside.
   int inside(const Vec3& p) const {
     int place = 1;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -83,7 +83,7 @@ class PlaneOf {
     return place;
   }
 
-  /// What the triangle has in common with a segment in its plane, if anything.
+  /// A common point of the triangle and a segment in its plane, if there is one.
   std::optional<Vec3> overlap(const Vec3& p, const Vec3& q) const {
     for (const Vec3& end : {p, q})
       if (inside(end) >= 0) return end;
@@ -96,7 +96,7 @@ class PlaneOf {
   }
 
  private:
-  /// The point of a segment that is seen at a place.
+  /// The point of a segment with the given projection.
   Vec3 lifted(const Vec2& place, const Vec3& p, const Vec3& q) const {
     const Vec2 way = flat(q) - flat(p);
     const double t = way.squaredNorm() > 0 ? (place - flat(p)).dot(way) / way.squaredNorm() : 0;
@@ -109,7 +109,7 @@ class PlaneOf {
   int dropped_ = 0;
 };
 
-/// What a segment has in common with a triangle. from, to: the sides of its ends.
+/// The intersection of a segment and a triangle. from, to: the sides of its ends.
 Meeting<3> meeting(const PlaneOf& plane, const Vec3& p, const Vec3& q, double from, double to) {
   if (from * to > 0) return {};
   if (from == 0 && to == 0) {
@@ -122,7 +122,7 @@ Meeting<3> meeting(const PlaneOf& plane, const Vec3& p, const Vec3& q, double fr
   return {inside > 0 && from * to < 0 ? Kind::crossing : Kind::touch, place};
 }
 
-/// The strongest of what the edges of s have in common with t.
+/// The strongest intersection of the edges of s with t.
 Meeting<3> edges_through(const Facet<3>& s, const Facet<3>& t) {
   const PlaneOf plane(t, longest_edge(s));
   const std::array<double, 3> side{plane.side(s[0]), plane.side(s[1]), plane.side(s[2])};
@@ -156,7 +156,7 @@ double distance_of_segments(const Vec3& p, const Vec3& q, const Vec3& a, const V
   return (p + s * d - a - t * e).norm();
 }
 
-/// Distance of a point from a triangle where it lies over its inside.
+/// Distance of a point from a triangle if it projects to the interior.
 std::optional<double> distance_over(const Vec3& p, const Facet<3>& t) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   for (std::size_t k = 0; k < 3; ++k)
@@ -191,7 +191,7 @@ double distance(const Facet<3>& s, const Facet<3>& t) {
 
 namespace {
 
-/// Facets that make up a face.
+/// The facets of a face.
 template <int D>
 std::vector<FacetNodes<D>> facets_of(const Face& face) {
   if constexpr (D == 2) {

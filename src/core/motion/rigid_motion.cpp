@@ -28,11 +28,11 @@ void set_rotation(RigidMotion& motion, const Eigen::Quaterniond& rotation) {
   motion.axis = turn.axis();
 }
 
-/// A translation of space must not pass through the pivot: that would round. One of the plane
-/// does, as its rotations do: results of plane meshes hang on these bits.
+/// A translation of space must not use the pivot, which would cause rounding. A translation of the
+/// plane does use it, like rotations: this keeps the bits of results of plane meshes.
 bool only_shifts(const RigidMotion& motion) { return motion.rotate == 0 && motion.axis; }
 
-/// The mean places of nodes before and after.
+/// The mean positions of nodes before and after.
 template <int D>
 struct Centres {
   Vec<D> before = Vec<D>::Zero(), after = Vec<D>::Zero();
@@ -73,7 +73,7 @@ RigidMotion fit(std::span<const Index> nodes, const SpacePoints& from, const Spa
     covariance += (to[node] - centres.after) * (from[node] - centres.before).transpose();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
-  // A rotation, no reflection.
+  // Enforces a rotation, not a reflection.
   const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
   const Eigen::Matrix3d rotation =
       svd.matrixU() * Vec3(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
@@ -182,7 +182,7 @@ RigidMotion with_turns(RigidMotion fitted, const RigidMotion& other, double degr
     constexpr double nearly = 1e-6;
     const Vec3 wanted = axis_of(other).normalized(), own = fitted.axis->normalized();
     const bool parallel = own.cross(wanted).norm() < nearly;
-    // The axis of a rotation by nothing is anything.
+    // A rotation by zero has no defined axis.
     if (!parallel && std::abs(fitted.rotate) > nearly) return fitted;
     if (own.dot(wanted) < 0) fitted.rotate = -fitted.rotate;
     fitted.axis = axis_of(other);
@@ -198,7 +198,7 @@ bool same_motion(const RigidMotion& a, const RigidMotion& b) {
 
 Vec3 body_centre(const Box<3>& box) {
   Vec3 centre = box.centre();
-  // 6.9e-18 would be the centre of a symmetric body in numbers, but not to a reader.
+  // The computed centre of a symmetric body can be 6.9e-18; users expect 0.
   const double tiny = 1e-12 * box.size().maxCoeff();
   for (double& component : centre)
     if (std::abs(component) < tiny) component = 0;

@@ -28,7 +28,7 @@ class Transfer final : public Motion {
         continue;
       }
       const Vec2 arm = rest.xy(nodes_[i]) - centre_;
-      // What is not rigid turns with the body.
+      // The remainder rotates with the body.
       const Vec2 bend = whole.inverse() * Vec2(target_[i] - target_centre_) - arm;
       out.set_xy(nodes_[i], centre + part * Vec2(arm + fraction * bend));
     }
@@ -41,7 +41,7 @@ class Transfer final : public Motion {
   std::vector<Vec2> target_;
 };
 
-/// Every node in a straight line.
+/// Moves every node in a straight line.
 class StraightTransfer final : public Motion {
  public:
   StraightTransfer(std::vector<Index> nodes, const Coordinates& to)
@@ -82,7 +82,7 @@ constexpr double degrees_per_frame = 1;
 constexpr double moved_per_frame = 0.02;  // of the extent of the moved nodes
 constexpr int most_frames = 90;
 
-/// A body on its way from one mesh to another.
+/// The motion of a body from one mesh to another.
 template <int D>
 class Way {
  public:
@@ -102,19 +102,20 @@ class Way {
     return static_cast<int>(std::ceil(std::min(wanted, static_cast<double>(most_frames)) - 1e-9));
   }
 
-  /// Goes on to a share of the motion: of the angle and of the way of its centre.
+  /// Sets the share of the motion: of the angle and of the displacement of the centre.
   void go_to(double share) {
     part_ = whole_;
     part_.rotate *= share;
     part_.pivot = centre_;
     part_.translate = Vec<D>(share * way_);
   }
-  /// How much of the body's motion a node that goes from a to b makes: 0 (none) to 1 (all of it).
+  /// How far a node that moves from a to b follows the body's motion: 0 (not at all) to 1
+  /// (completely).
   double share_of(const Vec<D>& a, const Vec<D>& b) const {
     const double stays = (b - a).norm(), goes = (b - transform(whole_, a)).norm();
     return stays + goes > 0 ? stays / (stays + goes) : 0;
   }
-  /// Where the body carries a node that goes from a to b, after a share of the motion.
+  /// Position of a node that moves from a to b with the body, after a share of the motion.
   Vec<D> carried(const Vec<D>& a, const Vec<D>& b, double share) const {
     const Vec<D> back = transform_back(whole_, b);
     return transform(part_, Vec<D>(a + share * (back - a)));
@@ -145,8 +146,8 @@ std::vector<Coordinates> between(const Topology& topology,
       const Vec<D> a = from.get<D>(i), b = to.get<D>(i);
       const auto leader =
           std::ranges::max_element(ways, {}, [&](const Way<D>& way) { return way.share_of(a, b); });
-      // Straight for what stays, with the body for what goes along: thin layers at a body that
-      // turns would be crushed by straight lines.
+      // Straight for fixed nodes, with the body for those that follow it: straight lines would
+      // crush thin layers at a rotating body.
       const Vec<D> straight = a + t * (b - a);
       const Vec<D> carried = leader->carried(a, b, t);
       x.set<D>(i, straight + leader->share_of(a, b) * (carried - straight));

@@ -10,7 +10,7 @@ namespace winslow {
 
 namespace {
 
-// How each kind of value is typed.
+// Texts of values.
 std::string text_of(double number) { return number_text(number); }
 std::string text_of(int number) { return std::to_string(number); }
 std::string text_of(std::uint64_t number) { return std::to_string(number); }
@@ -31,7 +31,7 @@ std::string text_of(const Vec3& vector, int numbers) {
   return numbers == 3 ? text + ' ' + number_text(vector.z()) : text;
 }
 
-// How each kind of option is.
+// Texts of the values of options.
 template <class Simple>
 std::string text_of(const Simple& option) requires requires {
   option.value;
@@ -57,7 +57,7 @@ std::string text_of(const SharesOption& shares) {
   return text;
 }
 
-/// What each kind takes; empty: everything of its kind.
+/// Accepted values of each kind; empty: all of its type.
 template <class Kind>
 std::string expected_of(const Kind& option) {
   if constexpr (requires { option.range; }) return option.range.text();
@@ -78,7 +78,7 @@ std::string out_of(const Range& range, const std::optional<double>& found) {
   return found ? out_of(range, *found) : "";
 }
 
-// What is wrong with the value of each kind; empty: nothing.
+// The fault in a value of each kind; empty: none.
 std::string wrong_with(const Vec3& vector) {
   for (const double component : vector)
     if (std::string fault = out_of({}, component); !fault.empty()) return fault;

@@ -9,19 +9,20 @@ namespace winslow {
 
 namespace {
 
-/// One call of run_on_threads. It lies on the caller's stack: only who has a share may touch it.
+/// One call of run_on_threads. It lies on the caller's stack: only threads with a share may access
+/// it.
 struct Job {
   void (*work)(void*, Index);
   void* data;
   Index count;
-  Index next = 0;                 // first share that nobody has taken; under the pool's mutex
-  std::atomic<Index> unfinished;  // shares that have not ended
+  Index next = 0;                 // first share not claimed yet; guarded by the pool's mutex
+  std::atomic<Index> unfinished;  // number of shares not finished yet
 
   Job(Index shares, void (*call)(void*, Index), void* argument)
       : work(call), data(argument), count(shares), unfinished(shares) {}
 };
 
-/// Waits for a moment, in which the processor can do something else.
+/// Pauses briefly, so that the processor can run another hardware thread.
 void pause() {
 #if defined(__x86_64__) || defined(__i386__)
   __builtin_ia32_pause();
@@ -30,8 +31,8 @@ void pause() {
 #endif
 }
 
-/// True as soon as condition() is, which is asked for some 20 microseconds: waking a thread takes
-/// as long, and within solvers one loop follows the other.
+/// Polls condition() for some 20 microseconds and returns true as soon as it holds. Waking a thread
+/// takes as long, and solvers run one loop after another.
 template <typename Condition>
 bool soon(Condition&& condition) {
   constexpr int tries = 500;
@@ -77,11 +78,11 @@ class ThreadPool {
  private:
   ThreadPool() = default;
 
-  /// More threads than cores do not wait for work by asking for it.
+  /// With more threads than cores, threads do not poll for work.
   bool may_ask() const { return workers_.size() < std::thread::hardware_concurrency(); }
 
-  /// Starts threads until there are so many, or as many as there is memory for. Called with the
-  /// mutex held.
+  /// Starts threads until there are `count`, or until memory is exhausted. Called with the mutex
+  /// held.
   void grow(Index count) {
     constexpr Index most = 256;
     try {
@@ -89,12 +90,12 @@ class ThreadPool {
         workers_.emplace_back([this] { serve(); });
       }
     } catch (const std::system_error&) {
-      // Those that there are, and the caller, do it.
+      // The existing threads and the caller do the work.
     }
     asking_.store(may_ask(), std::memory_order_relaxed);
   }
 
-  /// A share of the job that is the caller's to do; -1: there is none. Called with the mutex held.
+  /// Claims a share of the job for the caller; -1: none left. Called with the mutex held.
   Index claim_locked(Job& job) {
     if (job.next == job.count) return -1;
     --untaken_;
@@ -109,13 +110,13 @@ class ThreadPool {
 
   void finish(Job& job, Index share) {
     job.work(job.data, share);
-    // After the last one the job may be gone.
+    // After the last share the job may no longer exist.
     if (job.unfinished.fetch_sub(1, std::memory_order_acq_rel) > 1) return;
     const std::lock_guard lock(mutex_);
     ended_.notify_all();
   }
 
-  /// What each of the threads does.
+  /// The main loop of each thread.
   void serve() {
     for (;;) {
       if (asking_.load(std::memory_order_relaxed)) {
@@ -136,11 +137,11 @@ class ThreadPool {
 
   std::mutex mutex_;
   std::condition_variable wake_, ended_;
-  std::deque<Job*> jobs_;           // with shares that nobody has taken
-  std::atomic<Index> untaken_ = 0;  // of all jobs
+  std::deque<Job*> jobs_;           // with unclaimed shares
+  std::atomic<Index> untaken_ = 0;  // unclaimed shares of all jobs
   std::atomic<bool> asking_ = false;
   bool ending_ = false;
-  std::vector<std::jthread> workers_;  // last: they end while everything else is still there
+  std::vector<std::jthread> workers_;  // last: joined before the other members are destroyed
 };
 
 }  // namespace

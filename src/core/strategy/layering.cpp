@@ -337,7 +337,8 @@ SmoothResult move_with_layers(MeshState& state, const Motion& motion, const Moti
   state.mesh.coordinates = std::move(x);
   const MeshState moved = state;
   SmoothResult held = hold_spacing(state, result, smooth, keeping);
-  // Nor a mesh outside the quality limits: then the heights stay as the motion left them.
+  // Better heights do not justify a mesh outside the limits: then the heights stay as the motion
+  // left them.
   if (!how.floor.given() || how.floor.fault(state.mesh, moved.mesh.coordinates).empty()) {
     return held;
   }

@@ -8,8 +8,8 @@ namespace winslow {
 
 namespace {
 
-/// A node with two edges (two quadrilaterals that share both) spans no area. It is given the
-/// gradient along its edge line and equal weights: it settles halfway between its neighbours.
+/// The VCV of a node with two edges (two quadrilaterals that share both) has no area. The node gets
+/// the gradient along its edge line and equal weights, so it ends halfway between its neighbours.
 void two_edge_functionals(std::span<NeighbourFunctionals> out) {
   out[0] = {0.5, 0, 0, 0, 1};
   out[1] = {-0.5, 0, 0, 0, 1};

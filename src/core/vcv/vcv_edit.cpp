@@ -11,7 +11,7 @@ namespace {
 
 std::string who(Index node) { return "VCV of node " + std::to_string(node); }
 
-/// Place in Topology::neighbours() of the edit's first neighbour.
+/// Position of the edit's first neighbour in Topology::neighbours().
 std::size_t first_place(const Topology& topology, const VcvEdit& edit) {
   if (edit.neighbours.empty()) return 0;
   const auto ring = topology.neighbours(edit.node);
@@ -30,7 +30,7 @@ std::size_t first_place(const Topology& topology, const VcvEdit& edit) {
   return place;
 }
 
-/// Values by the edit's neighbours, by those of the topology.
+/// Reorders values from the edit's neighbours to those of the topology.
 std::vector<double> turned(std::vector<double> values, std::size_t place) {
   std::rotate(values.begin(), values.end() - static_cast<std::ptrdiff_t>(place), values.end());
   return values;
@@ -43,7 +43,7 @@ void apply(const VcvEdit& edit, VirtualControlVolumes& vcv) {
                      ": directions are for volume meshes; that of a plane mesh has angles");
   }
   const Topology& topology = vcv.topology();
-  // Says so if the node has no VCV; its numbers are read from then on.
+  // Throws if the node has no VCV, before its numbers are read.
   if (edit.node < 0 || edit.node >= topology.node_count() || vcv.angles(edit.node).empty()) {
     return vcv.reset(edit.node);
   }
@@ -84,7 +84,7 @@ VcvEdit edit_of(const VirtualControlVolumes& vcv, Index node) {
 
 namespace {
 
-/// The neighbours of a node of a surface, its tangent plane turned into the one with this normal.
+/// The neighbours of a surface node, with its tangent plane rotated to the given normal.
 std::vector<Vec2> around_in_plane_of(const Topology& topology, const Coordinates& x, Index node,
                                      const Vec3& normal) {
   const SpacePoints points(x);

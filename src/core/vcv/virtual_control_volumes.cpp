@@ -21,7 +21,7 @@ void require_edge_lengths(Index node, std::span<const double> lengths) {
       throw UsageError(who + ": an edge length is not positive");
     }
   }
-  // Beyond this the short edges are lost in the rounding of the long ones.
+  // Above this ratio the short edges are below the round-off of the long ones.
   constexpr double most_stretched = 1e12;
   const auto [shortest, longest] = std::ranges::minmax(lengths);
   if (longest > most_stretched * shortest) {

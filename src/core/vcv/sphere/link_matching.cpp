@@ -7,7 +7,7 @@ namespace winslow {
 
 namespace {
 
-/// Takes one link to another, from the image of the half-edge 0 on.
+/// Maps one link to another, starting from the image of half-edge 0.
 class LinkMap {
  public:
   LinkMap(const SphereLink& from, const SphereLink& to)
@@ -27,7 +27,7 @@ class LinkMap {
     }
     return true;
   }
-  /// By the vertices of the first link.
+  /// The map by vertices of the first link.
   std::vector<Index> vertices() const {
     std::vector<Index> vertices(at(from_.vertex_count()));
     for (std::size_t h = 0; h < images_.size(); ++h)
@@ -57,7 +57,7 @@ double nearness_of(const std::vector<Index>& vertices, std::span<const Vec3> the
   return sum;
 }
 
-/// The link of a node, and where its neighbours lie, seen from it: of length 1.
+/// The link of a node and the unit directions to its neighbours.
 struct SeenLink {
   SphereLink link;
   std::vector<Vec3> directions;
@@ -75,7 +75,7 @@ struct SeenLink {
 
 std::optional<std::vector<Index>> match_links(const SphereLink& from, std::span<const Vec3> there,
                                               const SphereLink& to, std::span<const Vec3> here) {
-  // Maps of the one onto the other cover it: as many triangles are each covered once.
+  // With equal numbers of triangles, a map covers each triangle exactly once.
   if (from.triangle_count() != to.triangle_count() || from.vertex_count() != to.vertex_count())
     return std::nullopt;
   std::optional<std::vector<Index>> best;

@@ -66,7 +66,7 @@ NodeVcv make_node_vcv(const Topology& topology, const Coordinates& physical, Ind
 
 namespace {
 
-/// For each neighbour of the node, its place in the edit.
+/// For each neighbour of the node, its position in the edit.
 std::vector<std::size_t> places(const Topology& topology, const VcvEdit& edit) {
   const auto neighbours = topology.neighbours(edit.node);
   std::vector<std::size_t> places(neighbours.size());

@@ -9,8 +9,8 @@ namespace winslow {
 
 namespace {
 
-/// The triangle to be held: the one whose corners have the most neighbours, so that the others are
-/// spread best.
+/// The triangle to hold: the one whose corners have the most neighbours, which spreads the other
+/// vertices best.
 Index outer_triangle(const SphereLink& link) {
   Index best = 0, most = -1;
   for (Index t = 0; t < link.triangle_count(); ++t) {
@@ -24,8 +24,8 @@ Index outer_triangle(const SphereLink& link) {
   return best;
 }
 
-/// Stress of an edge: any positive ones make an embedding. With equal ones the vertices around a
-/// vertex of very many neighbours would crowd, closer with every further one.
+/// Stress of an edge: any positive stresses give an embedding. With equal ones the vertices around
+/// a vertex with very many neighbours would crowd together.
 double stress(const SphereLink& link, Index a, Index b) {
   const double product = link.degree(a) * link.degree(b);
   return 1 / (product * product);
@@ -40,7 +40,7 @@ bool covers_sphere(const SphereLink& link, std::span<const Vec3> directions) {
     if (!(angle > 0)) return false;
     sum += angle;
   }
-  return std::abs(sum - 4 * pi) < 1;  // another cover has a multiple of 4 pi
+  return std::abs(sum - 4 * pi) < 1;  // a multiple cover has a multiple of 4 pi
 }
 
 void SphereStart::place(const SphereLink& link, std::span<Vec3> directions) {
@@ -61,7 +61,7 @@ void SphereStart::embed(const SphereLink& link, const SphereLink::Triangle& oute
   for (Index& row : row_) {
     if (row == 0) row = rows++;
   }
-  // The outer triangle is seen from its other side: the inner ones are counter-clockwise.
+  // The outer triangle is viewed from its other side, so that the inner ones are counter-clockwise.
   points_[at(outer[0])] = Vec3(0, 1, 0);
   points_[at(outer[1])] = Vec3(std::sqrt(0.75), -0.5, 0);
   points_[at(outer[2])] = Vec3(-std::sqrt(0.75), -0.5, 0);
@@ -127,7 +127,8 @@ void SphereStart::spread(std::span<Vec3> directions) {
   constexpr int rounds = 4;
   const auto count = static_cast<double>(points_.size());
   for (int round = 0; round <= rounds; ++round) {
-    // In the coordinates of the last round distances are 1 on average: the first weights are equal.
+    // In the coordinates of the last round distances are 1 on average, so the first weights are
+    // equal.
     const bool first = round == 0;
     Vec3 centre(0, 0, 0);
     double total = 0;
@@ -158,7 +159,7 @@ std::array<Vec3, 2> tangents_at(const Vec3& p) {
 
 }  // namespace
 
-/// False, with `state` left in the middle, where a triangle has no positive solid angle.
+/// Returns false, with `state` incomplete, at a triangle without a positive solid angle.
 bool SphereFit::evaluate(const SphereLink& link, std::span<const double> targets,
                          State& state) const {
   const auto& p = state.directions;
@@ -179,11 +180,11 @@ bool SphereFit::evaluate(const SphereLink& link, std::span<const double> targets
     state.largest = std::max(state.largest, std::abs(residual));
     const double chords =
         (pb - pa).squaredNorm() + (pc - pb).squaredNorm() + (pa - pc).squaredNorm();
-    state.edges += 0.5 * chords;  // every edge is met twice
+    state.edges += 0.5 * chords;  // every edge is visited twice
     const double volume6 = solid_angle_tangent(pa, pb, pc).n, size = 3 + chords;
     state.shape = std::min(state.shape, 432 * volume6 * volume6 / (size * size * size));
   }
-  return std::abs(sum - 4 * pi) < 1;  // another cover of the sphere has a multiple of 4 pi
+  return std::abs(sum - 4 * pi) < 1;  // a multiple cover of the sphere has a multiple of 4 pi
 }
 
 /// Order of elimination by minimum degree, fill included: most of the factor's rows stay short.
@@ -229,7 +230,7 @@ void SphereFit::order_by_degree(const SphereLink& link) {
   }
 }
 
-/// The normal equations at now_: J^T J and -J^T r of half the cost.
+/// Assembles the normal equations at now_: J^T J and -J^T r of half the cost.
 void SphereFit::assemble(const SphereLink& link, double mu) {
   const auto& p = now_.directions;
   const std::size_t n = p.size();
@@ -237,7 +238,7 @@ void SphereFit::assemble(const SphereLink& link, double mu) {
   for (std::size_t v = 0; v < n; ++v) tangents_[v] = tangents_at(p[v]);
   normal_.reset(2 * n);
   descent_.assign(2 * n, 0.0);
-  const double pull = 0.5 * mu;  // of an edge of half the cost
+  const double pull = 0.5 * mu;  // of an edge, for half the cost
   for (std::size_t t = 0; t < link.triangles().size(); ++t) {
     const auto& corners = link.triangles()[t];
     std::array<std::array<double, 2>, 3> slope;
@@ -254,7 +255,8 @@ void SphereFit::assemble(const SphereLink& link, double mu) {
     }
     for (std::size_t k = 0; k < 3; ++k) {
       std::size_t i = k, j = (k + 1) % 3;
-      // The edge is another triangle's, too, the other way round: this one takes its upward half.
+      // Another triangle has the same edge in the opposite direction: each adds its half with
+      // ascending vertices.
       const bool own = corners[i] < corners[j];
       if (first[i] > first[j]) std::swap(i, j);
       const auto& u = tangents_[at(corners[i])];
@@ -275,7 +277,7 @@ void SphereFit::assemble(const SphereLink& link, double mu) {
   }
 }
 
-/// The step of the damped normal equations into step_. False where round-off makes them singular.
+/// Solves the damped normal equations for step_. Returns false if round-off makes them singular.
 bool SphereFit::solve(double damping) {
   factor_ = normal_;
   for (std::size_t i = 0; i < factor_.size(); ++i) factor_(i, i) += damping;

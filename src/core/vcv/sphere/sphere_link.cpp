@@ -48,7 +48,7 @@ void SphereLink::collect_outgoing(Index vertices) {
       outgoing_[at(--first_[at(triangles_[t][k]) + 1])] = static_cast<Index>(3 * t + k);
     }
   }
-  // Each first_[v + 1] has gone back to where the row of v begins.
+  // Each first_[v + 1] is now the beginning of the row of v.
   std::shift_left(first_.begin(), first_.end(), 1);
   first_.back() = static_cast<Index>(outgoing_.size());
 }

@@ -52,7 +52,7 @@ StarCost star_cost(const SphereLink& link, std::span<const double> targets,
 
 namespace {
 
-/// In [0, 1), the same on every machine.
+/// Uniform in [0, 1), the same on every machine.
 double uniform(std::mt19937_64& generator) {
   return static_cast<double>(generator() >> 11) * 0x1.0p-53;
 }
@@ -167,7 +167,7 @@ void physical_directions(const SpacePoints& x, Index node, std::span<const Index
 
 void graded_lengths(const SpacePoints& x, Index node, std::span<const Index> neighbours,
                     double power, std::vector<double>& out) {
-  // A node that lies on another in a tangled mesh still has an edge to it.
+  // Coincident nodes in a tangled mesh still need a positive edge length.
   constexpr double most = 1e3;
   double sum = 0;
   for (const Index other : neighbours) sum += (x[other] - x[node]).norm();
@@ -187,7 +187,7 @@ SphereFitResult StarBuilder::build(const SphereLink& link, std::span<const doubl
   SphereFitResult result;
   result.steps = perturb_directions(link, targets, {}, seed, directions);
   result.largest_error = largest_angle_error(link, targets, directions);
-  // It weighs shape and angles against each other for as long as it runs.
+  // The perturbation balances shape and angles until it ends.
   result.end = result.largest_error <= options.tolerance ? SphereFitEnd::converged
                                                          : SphereFitEnd::limited_by_shape;
   return result;

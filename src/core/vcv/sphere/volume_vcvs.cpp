@@ -9,7 +9,7 @@ namespace winslow {
 
 namespace {
 
-/// Stars handed to a thread at a time: one takes as long as hundreds of rows of other loops.
+/// Stars per block of a thread: one star takes as long as hundreds of rows in other loops.
 constexpr Index star_block = 64;
 
 void require_volume(const Topology& topology) {
@@ -19,10 +19,10 @@ void require_volume(const Topology& topology) {
 
 }  // namespace
 
-/// Solves one star after another for its directions.
+/// Computes the directions of single stars.
 class VolumeVcvs::StarSolver {
  public:
-  /// physical: null for equal angles. first: there are no directions yet.
+  /// physical: null for equal angles. first: no directions exist yet.
   StarSolver(VolumeVcvs& vcvs, const Coordinates* physical, bool first)
       : vcvs_(vcvs),
         physical_(physical),
@@ -30,7 +30,7 @@ class VolumeVcvs::StarSolver {
         fit_(vcvs.options_.fit()),
         builder_(vcvs.options_.construction) {}
 
-  /// True if the star was solved, false if its targets are what they were.
+  /// Returns true if the star was solved, false if its targets are unchanged.
   bool solve(std::size_t i) {
     const Topology& topology = *vcvs_.topology_;
     const Index node = topology.interior_nodes()[i];
@@ -59,7 +59,7 @@ class VolumeVcvs::StarSolver {
   }
 
  private:
-  /// Stores the targets of a star. False if they were the same already.
+  /// Stores the targets of a star. Returns false if they are unchanged.
   bool keep_targets(std::size_t i, std::span<const double> wanted) {
     if (vcvs_.rows_.empty()) return true;
     float* const row = vcvs_.targets_.data() + vcvs_.rows_[i];
@@ -134,7 +134,7 @@ Index VolumeVcvs::solve(const Coordinates* physical, bool first) {
     if (physical) {
       rows_.assign(1, 0);
       for (const Index node : interior) {
-        // Triangles of a sphere of n vertices (Euler); the solver refuses what is none.
+        // Number of triangles of a sphere with n vertices (Euler); the solver refuses other links.
         const std::size_t n = topology_->neighbours(node).size();
         rows_.push_back(rows_.back() + (n > 2 ? 2 * n - 4 : 0));
       }
@@ -200,7 +200,7 @@ namespace {
 
 constexpr double near_enough = 1e-3;
 
-/// Statistics of one star after another; mean_error holds the sum until the end.
+/// Accumulates the statistics of stars; mean_error holds the sum until the end.
 class StarMeasure {
  public:
   StarMeasure() {
