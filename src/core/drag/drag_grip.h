@@ -14,7 +14,7 @@ namespace winslow {
 /// node moves by a share of the translation (shape editing).
 struct DragGrip {
   std::vector<std::string> markers;  ///< that may move; all other boundary nodes are fixed
-  std::vector<Index> nodes;          ///< held nodes, all on the markers; empty: all nodes of the markers, as a rigid body
+  std::vector<Index> nodes;          ///< held nodes, on the markers; empty: all, as a rigid body
   std::vector<double> shares;        ///< of the translation, in [0, 1], one per node of `nodes`
 
   bool rigid() const { return nodes.empty(); }

@@ -14,7 +14,7 @@ namespace winslow {
 struct DragFrame {
   Coordinates coordinates;  ///< a valid mesh, always
   RigidMotion motion;       ///< of the body in this mesh, relative to the state
-  bool held = false;        ///< no valid mesh for the mouse position (yet): shows the last valid one
+  bool held = false;        ///< no valid mesh at the mouse (yet): shows the last one
   bool limit = false;       ///< held, because the path to the mouse position is blocked
   double share = 1;         ///< share of the motion from the state to the mouse position
   double min_sine = 0;      ///< of the frame's elements

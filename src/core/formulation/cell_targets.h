@@ -35,9 +35,8 @@ template <int D>
 struct CellTargets {
   using Term = std::conditional_t<D == 2, ShapeTerm, VolumeTerm>;
 
-  std::vector<std::array<Index, D + 1>>
-      cells;                      ///< nodes, positively oriented; the corner node first
-  std::vector<Index> offsets{0};  ///< #cells + 1, into terms
+  std::vector<std::array<Index, D + 1>> cells;  ///< nodes, positively oriented; the corner first
+  std::vector<Index> offsets{0};                ///< #cells + 1, into terms
   std::vector<Term> terms;
   /// Fraction of the elements (0 to 1) that `auto` targets keep stretched. None if the blend has no
   /// `automatic` share.
@@ -61,12 +60,10 @@ struct CellTargets {
 /// The target shapes of the variational form. The shares are relative; a blend lies between its
 /// parts (on the geodesic of the metrics of the shapes).
 struct TargetBlend {
-  double automatic =
-      1;  ///< regular, or the element's own shape where the mesh is stretched deliberately
-  double element =
-      0;            ///< regular: equilateral triangles, square corners, and the analogues in space
-  double vcv = 0;   ///< triangles or tetrahedra of the virtual control volumes
-  double rest = 0;  ///< the element's own shape in the mesh as given
+  double automatic = 1;  ///< regular, or the element's own shape where it is deliberately stretched
+  double element = 0;    ///< regular: equilateral triangles, square corners, and analogues in space
+  double vcv = 0;        ///< triangles or tetrahedra of the virtual control volumes
+  double rest = 0;       ///< the element's own shape in the mesh as given
 
   static constexpr TargetBlend regular() { return {.automatic = 0, .element = 1}; }
 

@@ -96,10 +96,10 @@ inline void row_product(const T* values, const Index* columns, Index first, Inde
   }
 }
 
-/// The same of 3 by 3 blocks in single precision, a row of a block at a time: four numbers, of
-/// which three are of use. Nothing is read beyond the last block: its last row is loaded from one
-/// number before, with x one lane further on. (In double precision it gains nothing: the
-/// memory is what takes the time.)
+/// The same for 3 by 3 blocks in single precision, one row of a block at a time: four numbers, of
+/// which three are used. Nothing is read beyond the last block: its last row is loaded from one
+/// number earlier, with x shifted by one lane. (Double precision has no gain: it is limited by
+/// memory bandwidth.)
 template <>
 inline void row_product<3, float>(const float* values, const Index* columns, Index first,
                                   Index last, const float* x, float* out) {

@@ -53,8 +53,8 @@ class ContactSearch {
     double middle() const { return 0.5 * (begin + end); }
   };
 
-  /// Provides the node positions at a fraction. Keeps copies of all nodes for later calls: a motion
-  /// writes the same few nodes each time.
+  /// The node positions at a fraction, and a tree of the facets between moving and fixed nodes.
+  /// Copies of all nodes are reused: a motion writes the same few nodes each time.
   class Positions {
    public:
     Positions(const ContactSearch& search, double fraction) : search_(&search) {

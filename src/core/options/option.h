@@ -29,7 +29,7 @@ struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool low_included = true, high_included = true;
-  std::optional<double> also = std::nullopt;  ///< an accepted number outside the limits, with a special meaning
+  std::optional<double> also = std::nullopt;  ///< outside the limits, with a special meaning
 
   bool holds(double number) const;
   std::string text() const;  ///< "more than 0, at most 1"; empty: every finite number

@@ -22,7 +22,7 @@ class NodeUnknowns {
  public:
   enum class Layout {
     packed,  ///< each node has as many numbers as it has unknowns
-    blocks   ///< each node has as many as the elements have dimensions; surplus numbers have no meaning
+    blocks   ///< each node has as many as the elements have dimensions; the surplus is unused
   };
   /// threads: 0 for all cores; no result depends on it.
   NodeUnknowns(std::shared_ptr<const NodeClasses> classes, int threads,

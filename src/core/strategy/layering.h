@@ -41,10 +41,10 @@ LayerOptions options_of(const LayerRequest& request);
 /// UsageError, Cancelled; NumericError if no room can be made.
 SmoothResult run_layers(const LayerRequest& request, MeshState& state, const RunOptions& run);
 
-/// Moves the boundary of a mesh whose state has layers that are held. Where walls come so near to
-/// one another that there is no room, layers get thinner first, and heights that they gave up
-/// return where there is room again. Afterwards the VCVs are corrected until the wanted heights
-/// are met. state as above. Throws as smooth_motion().
+/// Moves the boundary of a mesh with held layers. Where walls come too near to one another, layers
+/// get thinner before the motion; where there is room again, they regain their heights. Afterwards
+/// the VCVs are corrected until the wanted heights are met. state as above. Throws as
+/// smooth_motion().
 SmoothResult move_with_layers(MeshState& state, const Motion& motion, const MotionOptions& how,
                               const SmoothOptions& smooth, const RunOptions& run);
 

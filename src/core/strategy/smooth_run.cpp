@@ -23,8 +23,7 @@ namespace {
 
 /// The largest number of VCV updates.
 int most_updates(const Coordinates& given, const SmoothingWorkspace& workspace) {
-  constexpr int after_tangle =
-      10;  // each update halves the distance of the angles to the final ones
+  constexpr int after_tangle = 10;  // each update halves the remaining change of angles
   const SmoothOptions& options = workspace.options();
   const Topology& topology = workspace.classes().topology();
   if (!workspace.vcvs_follow_mesh()) return 0;

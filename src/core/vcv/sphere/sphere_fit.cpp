@@ -255,8 +255,8 @@ void SphereFit::assemble(const SphereLink& link, double mu) {
     }
     for (std::size_t k = 0; k < 3; ++k) {
       std::size_t i = k, j = (k + 1) % 3;
-      // Another triangle has the same edge in the opposite direction: each adds its half with
-      // ascending vertices.
+      // Another triangle has the same edge in the opposite direction: only the one with ascending
+      // vertices adds its term.
       const bool own = corners[i] < corners[j];
       if (first[i] > first[j]) std::swap(i, j);
       const auto& u = tangents_[at(corners[i])];
