@@ -103,9 +103,8 @@ std::string describe(const Command& command);
 /// Smoothing options of a command, null if it has none.
 SmoothOptions* smooth_options(Command& command);
 const SmoothOptions* smooth_options(const Command& command);
-/// True if the motion follows a path of valid meshes from start to end, so that quality limits can
-/// be kept on the way. This requires increments 0, smoothing, and a method other than the fixed
-/// point.
+/// True if the motion follows a path of valid meshes, on which quality limits can be kept: with
+/// increments 0, smoothing, and no fixed point.
 bool follows_path(const MotionOptions& how, const SmoothOptions& smooth);
 /// True for a command whose purpose is to change the heights of cells at walls.
 bool asks_for_heights(const Command& command);
@@ -113,9 +112,8 @@ bool asks_for_heights(const Command& command);
 std::vector<std::string> markers_of(const Command& command);
 
 /// Returns the command with a pivot for each rotation that has none: body_centre() of all nodes of
-/// the body's markers. `states`: the meshes to which the command applies. For the zones of a file
-/// these are several, and a body then rotates as one across them. execute() refuses markers that no
-/// mesh has.
+/// the body's markers. `states`: the meshes to which the command applies; across the zones of a
+/// file a body rotates as one. execute() refuses markers that no mesh has.
 Command with_pivot(Command command, std::span<const MeshState* const> states);
 
 /// A command with the contents of all files that it refers to. Most commands refer to no file and

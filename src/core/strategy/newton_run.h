@@ -57,8 +57,7 @@ class NewtonRun {
   virtual void vary_targets(const Coordinates& /*from*/) {}
   /// Sets the targets of Newton's method to this share of the way from those to the wanted ones.
   virtual void set_target_share(double /*share*/) {}
-  /// Whether to continue from a mesh off the path if Newton's method does not lead back to the
-  /// path.
+  /// Whether to continue from a mesh off the path if Newton's method does not lead back.
   virtual bool insists() const { return true; }
 
   /// Whether the scaled residual is small enough to follow the path from this mesh.
@@ -106,15 +105,13 @@ class VariationalRun final : public NewtonRun {
   SteadySolver& newton() override { return workspace().newton(); }
   const LinearSolver& linear() override { return workspace().symmetric_linear(); }
   void begin_anew() override;
-  /// Far from a solution the steep penalty slows Newton's method down, so a gentle penalty comes
-  /// first. If the resulting mesh still has elements far beyond the knee, the knee is doubled until
-  /// none is.
+  /// Far from a solution the steep penalty slows Newton's method down, so a gentle one comes first.
+  /// If its mesh still has elements far beyond the knee, the knee is doubled until none is.
   void relax(Coordinates& x, double fraction, const RunRecorder::Enough& enough) override;
   bool has_targets() const override { return true; }
   void vary_targets(const Coordinates& from) override;
   void set_target_share(double share) override;
-  /// The knee was doubled for a mesh that was not a solution yet: a solution may permit a smaller
-  /// knee.
+  /// The knee was doubled for a mesh that was no solution yet: a solution may permit less.
   bool sharpen(const Coordinates& x) override;
   bool strained(const Coordinates& x) override;
 
