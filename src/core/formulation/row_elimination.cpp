@@ -17,7 +17,7 @@ void set_zero(const SparseMatrix& like, const std::shared_ptr<const SparsityPatt
   out.block = D;
   out.symmetric = like.symmetric;
   out.in_space = like.in_space;
-  out.values.assign(D * D * pattern->columns.size(), 0.0);
+  out.values.assign(at(D) * at(D) * pattern->columns.size(), 0.0);
 }
 
 }  // namespace

@@ -186,7 +186,7 @@ EntityBoxes collect_boxes(const Details& details, const Coordinates& coordinates
 }
 
 std::string safe_name(const std::string& name, std::vector<std::string>& warnings) {
-  const std::string safe = within_line(name, "\"");
+  std::string safe = within_line(name, "\"");
   if (safe != name) {
     warnings.push_back("group \"" + name + "\" is written as \"" + safe +
                        "\": Gmsh allows no such name");
