@@ -269,7 +269,7 @@ std::optional<ScreenPoint> free_place_of_ring(const View& view, const Gizmo& g, 
   if (axis == 2 && g.knob) return g.knob;
   for (const auto& point : g.rings[at(axis)]) {
     if (!point.front || !view.viewport().contains(point.at) ||
-        g.at(point.at) != Handle{Kind::ring, axis})
+        g.handle_at(point.at) != Handle{Kind::ring, axis})
       continue;
     double room = 1e300;
     for (int other = 0; other < 3; ++other)
