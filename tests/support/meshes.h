@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,6 +63,16 @@ inline void add_cell(MeshData& data, Cells cells, Index i, Index j, std::array<I
     add_triangle(data, c[0], c[1], c[2]);
     add_triangle(data, c[0], c[2], c[3]);
   }
+}
+
+/// The error with which make_mesh() refuses the data. Throws if it accepts them.
+inline MeshError refusal(const MeshData& data) {
+  try {
+    make_mesh(data);
+  } catch (const MeshError& error) {
+    return error;
+  }
+  throw std::logic_error("the mesh was accepted");
 }
 
 /// n by n cells on the unit square, without those that `hole` names; nodes that are left over are

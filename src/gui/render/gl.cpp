@@ -20,6 +20,11 @@ void load_gl(GlLoader loader) {
   }
 }
 
+std::string renderer_name() {
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return name != nullptr ? name : "unknown renderer";
+}
+
 void draw_over() {
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);

@@ -116,6 +116,9 @@ class HeadlessContext {
   virtual std::string description() const = 0;  ///< "EGL surfaceless, llvmpipe ..."
 };
 
+/// The name of the renderer of the current context, "llvmpipe ...".
+std::string renderer_name();
+
 /// Makes a context: EGL surfaceless, or OSMesa if the build is configured so. Throws Error that
 /// names what is missing and its package.
 std::unique_ptr<HeadlessContext> make_headless_context();

@@ -60,10 +60,7 @@ class OsmesaContext : public HeadlessContext {
   OsmesaContext(const OsmesaContext&) = delete;
   OsmesaContext& operator=(const OsmesaContext&) = delete;
 
-  std::string description() const override {
-    const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    return std::string("OSMesa, ") + (renderer != nullptr ? renderer : "unknown renderer");
-  }
+  std::string description() const override { return "OSMesa, " + renderer_name(); }
 
  private:
   /// OSMesa cannot report the target of its current context, so this class remembers it.
@@ -235,10 +232,7 @@ class EglContext : public HeadlessContext {
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
-  std::string description() const override {
-    const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    return std::string("EGL surfaceless, ") + (renderer != nullptr ? renderer : "unknown renderer");
-  }
+  std::string description() const override { return "EGL surfaceless, " + renderer_name(); }
 
  private:
   /// A context without surfaces needs no particular config. Drivers without the extension for that

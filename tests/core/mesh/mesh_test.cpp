@@ -19,16 +19,6 @@ using namespace winslow::test;
 
 namespace {
 
-MeshError refusal(const MeshData& data) {
-  try {
-    make_mesh(data);
-  } catch (const MeshError& error) {
-    return error;
-  }
-  FAIL("the mesh was accepted");
-  return {MeshEntity::mesh, -1, ""};
-}
-
 bool says(const std::string& message, const std::string& text) {
   return message.find(text) != std::string::npos;
 }

@@ -419,16 +419,6 @@ namespace {
 
 Vec3 paraboloid(const Vec2& p) { return {p.x(), p.y(), p.squaredNorm()}; }
 
-MeshError refusal(const MeshData& data) {
-  try {
-    make_mesh(data);
-  } catch (const MeshError& error) {
-    return error;
-  }
-  FAIL("the mesh was accepted");
-  return {MeshEntity::mesh, -1, ""};
-}
-
 bool says(const MeshError& error, const std::string& text) {
   CAPTURE(error.what());
   return std::string(error.what()).find(text) != std::string::npos;

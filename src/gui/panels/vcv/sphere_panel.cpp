@@ -251,10 +251,8 @@ class SpherePanel {
     if (entered && direction_.allFinite() && direction_.norm() > 0) {
       edit.directions[edge_] = direction_;
       edit_vcv(context, std::move(edit));
-    } else if (length_done && length_ > 0 && std::isfinite(length_) &&
-               length_ != edit.lengths[edge_]) {
-      edit.lengths[edge_] = length_;
-      edit_vcv(context, std::move(edit));
+    } else if (length_done) {
+      edit_length(context, std::move(edit), edge_, length_);
     }
   }
 
@@ -263,8 +261,8 @@ class SpherePanel {
     if (const auto stencils = context.session.mesh().sphere_vcvs())
       for (const auto& [node, stencil] : *stencils) edited.push_back(node);
     draw_resets(context, {view.node, {}, {}, {}}, view.edited, edited,
-                {"Give this node the control volume again that it has of itself.",
-                 "Give all nodes the control volumes again that they have of themselves."});
+                {"Give this node its default control volume again.",
+                 "Give all nodes their default control volumes again."});
   }
 
   void draw_spread(const PanelContext& context, const VolumeNodalView& view) {

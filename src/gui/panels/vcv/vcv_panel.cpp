@@ -152,10 +152,8 @@ class VcvPanel {
       for (double& angle : edit.angles) angle *= (360 - angle_) / rest;
       edit.angles[edge_] = angle_;
       edit_vcv(context, std::move(edit));
-    } else if (length_done && length_ > 0 && std::isfinite(length_) &&
-               length_ != edit.lengths[edge_]) {
-      edit.lengths[edge_] = length_;
-      edit_vcv(context, std::move(edit));
+    } else if (length_done) {
+      edit_length(context, std::move(edit), edge_, length_);
     }
   }
 

@@ -16,6 +16,12 @@ void edit_vcv(const PanelContext& context, VcvEdit edit) {
   context.emit(action::EditVcvs{{std::move(edit)}});
 }
 
+void edit_length(const PanelContext& context, VcvEdit edit, std::size_t edge, double length) {
+  if (!(length > 0) || !std::isfinite(length) || length == edit.lengths[edge]) return;
+  edit.lengths[edge] = length;
+  edit_vcv(context, std::move(edit));
+}
+
 void take_outcome(const PanelContext& context, const VcvPlotOutcome& outcome, std::size_t& edge) {
   if (outcome.edit) context.emit(action::EditVcvs{{*outcome.edit}, true});
   if (outcome.ended) context.emit(action::EndVcvEdit{});

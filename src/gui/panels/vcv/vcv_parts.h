@@ -19,6 +19,9 @@ void draw_figure(const char* id, const char* label, const std::string& value, co
 void draw_no_vcv(const std::string& why);
 /// Changes one VCV and smooths.
 void edit_vcv(const PanelContext& context, VcvEdit edit);
+/// Gives an edge of a VCV the length that was typed and smooths. Invalid input leaves the length
+/// unchanged and is no edit.
+void edit_length(const PanelContext& context, VcvEdit edit, std::size_t edge, double length);
 /// The radius of a neighbour's disc, in units of the layout.
 inline constexpr float disc_size = 7.5f;
 /// Draws the number of a neighbour, from 1, at the centre of its disc.
