@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/error.h"
 #include "core/mesh/mesh.h"
 #include "core/quality/quality.h"
 #include "support/random.h"
