@@ -92,7 +92,8 @@ std::vector<std::string> names_of(const Items& items) {
 /// Parses "element vcv=0.3": sets the named shares; the others become 0.
 void set_shares(const SharesOption& shares, const std::string& flag,
                 const std::vector<std::string>& words) {
-  for (const auto& part : shares.parts) *part.share = 0;
+  shares.clear();
+  if (shares.may_be_none() && words.size() == 1 && words.front() == shares.none.name) return;
   for (const std::string& word : words) {
     const std::size_t equals = word.find('=');
     const std::string name = word.substr(0, equals);
@@ -103,7 +104,7 @@ void set_shares(const SharesOption& shares, const std::string& flag,
     const auto part = std::ranges::find(shares.parts, name, &SharesOption::Part::name);
     if (part == shares.parts.end()) {
       throw UsageError(flag + ' ' + word + ": found \"" + name + "\", expected one of " +
-                       join(names_of(shares.parts)));
+                       join(names_of(shares.choices())));
     }
     *part->share = share;
   }
@@ -232,7 +233,7 @@ CLI::Option* declare(CLI::App& app, const Option& option, const SharesOption& sh
   const std::string flag = flag_of(option);
   return add_value<Words>(app, option,
                           [shares, flag](const Words& words) { set_shares(shares, flag, words); })
-      ->check(words_to_offer(names_of(shares.parts)));
+      ->check(words_to_offer(names_of(shares.choices())));
 }
 std::string metavariable(const SharesOption&) { return "NAME[=SHARE]..."; }
 
@@ -259,7 +260,7 @@ std::string flag_help(const Option& option) {
   if (const auto* choice = std::get_if<ChoiceOption>(&option.value)) {
     for (const ChoiceItem& item : choice->items()) items += item_help(item);
   } else if (const auto* shares = std::get_if<SharesOption>(&option.value)) {
-    for (const auto& part : shares->parts) items += item_help(part);
+    for (const auto& part : shares->choices()) items += item_help(part);
   } else if (const std::string expected = expected_text(option); !expected.empty()) {
     help += " (" + expected + ")";
   }

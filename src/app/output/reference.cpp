@@ -259,7 +259,7 @@ std::string meaning(const Option& option) {
   if (const auto* choice = std::get_if<ChoiceOption>(&option.value)) {
     for (const ChoiceItem& item : choice->items()) items += item_text(item);
   } else if (const auto* shares = std::get_if<SharesOption>(&option.value)) {
-    for (const auto& part : shares->parts) items += item_text(part);
+    for (const auto& part : shares->choices()) items += item_text(part);
   }
   if (!items.empty()) text += ": " + items.substr(2);
   if (!option.unit.empty()) text += " (" + std::string(option.unit) + ")";

@@ -175,8 +175,8 @@ void require_path(const MotionOptions& how, const SmoothOptions& smooth) {
       "smoothing afterwards, and another outer iteration than picard");
 }
 
-CommandResult run_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
-                         const SmoothOptions& smooth, const RunOptions& options) {
+/// Throws UsageError for options that a motion refuses.
+void require_sound(const MotionOptions& how, const SmoothOptions& smooth) {
   if (how.increments < 0) throw UsageError("the number of increments is negative");
   validate(smooth);
   require_path(how, smooth);
@@ -188,8 +188,14 @@ CommandResult run_motion(const MeshState& state, const Motion& motion, const Mot
     throw UsageError(
         "raise_worst: limits of the quality end a motion before they are broken and know nothing "
         "of what comes after it: expected one of the two");
+}
+
+CommandResult run_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
+                         const SmoothOptions& smooth, const RunOptions& options) {
+  require_sound(how, smooth);
   if (state.layers && state.layers->held && how.smooth_after) {
     CommandResult result{state, {}};
+    result.state.reference = reference_of(state);
     result.smooth = move_with_layers(result.state, motion, how, smooth, options);
     return result;
   }
@@ -213,21 +219,22 @@ CommandResult execute_one(const SmoothCommand& command, const MeshState& given,
   return finish(state, std::move(x), std::move(result));
 }
 
-CommandResult execute_one(const MoveCommand& command, const MeshState& state,
-                          const RunOptions& options) {
-  const auto motion =
-      make_motion(*state.mesh.topology, state.mesh.coordinates, std::span(command.bodies));
-  return run_motion(state, *motion, command.how, command.smooth, options);
+std::unique_ptr<Motion> motion_of(const MoveCommand& command, const MeshState& state) {
+  return make_motion(*state.mesh.topology, state.mesh.coordinates, std::span(command.bodies));
 }
 
-CommandResult execute_one(const DeformCommand& command, const MeshState& state,
-                          const RunOptions& options) {
-  const auto motion = std::visit(
+std::unique_ptr<Motion> motion_of(const DeformCommand& command, const MeshState& state) {
+  return std::visit(
       [&](const auto& shape) {
         return make_motion(*state.mesh.topology, state.mesh.coordinates, command.markers, shape);
       },
       command.shape);
-  return run_motion(state, *motion, command.how, command.smooth, options);
+}
+
+template <class Moving>
+requires(requires(Moving command) { command.how; }) CommandResult
+    execute_one(const Moving& command, const MeshState& state, const RunOptions& options) {
+  return run_motion(state, *motion_of(command, state), command.how, command.smooth, options);
 }
 
 /// Uniform in [0, 1) from the generator's top 53 bits: std::uniform_real_distribution may differ
@@ -377,7 +384,9 @@ CommandResult carry_out(const Command& command, const MeshState& state, const Ru
 CommandResult carry_out_in(const LocalFrame& frame, const Command& command, const MeshState& state,
                            const RunOptions& options) {
   check_places(command, state);
-  const MeshState local{frame.to_local(state.mesh), state.vcvs, state.roles, state.layers};
+  MeshState local{frame.to_local(state.mesh), state.vcvs, state.roles, state.layers};
+  if (state.reference)
+    local.reference = std::make_shared<const Coordinates>(frame.to_local(*state.reference));
   MonitorInFrame monitor(options.monitor, frame, state.mesh.coordinates);
   RunOptions local_options = options;
   local_options.monitor = &monitor;
@@ -392,6 +401,39 @@ CommandResult carry_out_in(const LocalFrame& frame, const Command& command, cons
   x = frame.to_mesh(std::move(x), state.mesh.coordinates);
   put_in_mesh(result.smooth, frame);
   return result;
+}
+
+/// Whether a command is a motion that moves no node. Throws UsageError for options that it refuses.
+bool moves_nothing(const Command& command, const MeshState& state) {
+  return std::visit(
+      [&](const auto& c) {
+        if constexpr (requires { c.how; }) {
+          require_sound(c.how, c.smooth);
+          return !motion_of(c, state)->moves();
+        }
+        return false;
+      },
+      command);
+}
+
+CommandResult unchanged(const MeshState& state) {
+  CommandResult result{state, {}};
+  result.smooth.converged = result.smooth.nothing_moves = true;
+  const Mesh& mesh = state.mesh;
+  const std::vector<Vec3> normals = reference_normals(state, mesh.coordinates);
+  result.smooth.inverted = check_validity(*mesh.topology, mesh.coordinates, 0, normals).inverted;
+  return result;
+}
+
+/// Motions and scrambles leave the reference mesh as it is; the result of every other command is
+/// the next reference mesh.
+bool keeps_reference(const Command& command) {
+  return std::visit(
+      [](const auto& c) {
+        return requires { c.how; }
+        || std::is_same_v<decltype(c), const ScrambleCommand&>;
+      },
+      command);
 }
 
 /// Executes a command on a plane or volume mesh: in coordinates near the mesh, with sliding nodes
@@ -500,9 +542,11 @@ CommandResult execute(const ResolvedCommand& resolved, const MeshState& state,
   RunOptions options = given;
   options.files = resolved.files();
   require_dimension(command, state);
+  if (moves_nothing(command, state)) return unchanged(state);
   CommandResult result = is_surface(*state.mesh.topology)
                              ? carry_out(command, state, options)
                              : carry_out_near_origin(command, state, options);
+  result.state.reference = keeps_reference(command) ? reference_of(state) : nullptr;
   // The count always refers to the returned mesh.
   const Mesh& mesh = result.state.mesh;
   const std::vector<Vec3> normals = reference_normals(result.state, mesh.coordinates);

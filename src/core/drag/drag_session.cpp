@@ -63,6 +63,7 @@ class DragSession::Impl final : public SolverMonitor {
         slide_(std::move(slide)),
         origin_(origin),
         resting_(resolve_motion({}, state_.mesh.coordinates.dimension(), Vec3(0, 0, 0))) {
+    rest_ = state_.mesh.coordinates;
     frame_ = first_frame(state_, grip_, options_, start ? &*start : nullptr);
     const auto motion =
         make_motion(*state_.mesh.topology, state_.mesh.coordinates, grip_, resting_);
@@ -96,6 +97,8 @@ class DragSession::Impl final : public SolverMonitor {
       passed = passed_;
     }
     wake_.notify_all();
+    // Back at the start the mesh is the one that was given, to the last bit.
+    if (!moves(motion)) return at_rest();
     if (prepared && predict(*prepared, motion)) return frame_;
     frame_.held = !same_motion(frame_.motion, motion);
     frame_.limit = frame_.held && prepared && same_motion(prepared->answered, motion);
@@ -153,6 +156,15 @@ class DragSession::Impl final : public SolverMonitor {
   }
 
  private:
+  const DragFrame& at_rest() {
+    frame_.coordinates = rest_;
+    frame_.motion = resting_;
+    frame_.min_sine = validity_of(rest_).min_sine;
+    frame_.held = frame_.limit = false;
+    frame_.share = 1;
+    frame_.contact.reset();
+    return frame_;
+  }
   /// Predicts the frame by the tangent fields. Returns false without a new frame if the predicted
   /// mesh is invalid.
   bool predict(const Prepared& prepared, const RigidMotion& motion) {
@@ -301,6 +313,7 @@ class DragSession::Impl final : public SolverMonitor {
   ResolvedSlide slide_;  // the worker's
   Vec3 origin_;
   RigidMotion resting_;
+  Coordinates rest_;  // of the state, where nothing has moved
   std::vector<Index> nodes_;
   SolverCache cache_;                // the worker's
   Coordinates solved_;               // the worker's: the mesh solved for last
@@ -360,6 +373,8 @@ DragSession::DragSession(MeshState state, DragGrip grip, const SmoothOptions& op
   if (frame_.shifts()) {
     rest_ = state.mesh.coordinates;
     state.mesh.coordinates = frame_.to_local(rest_);
+    if (state.reference)
+      state.reference = std::make_shared<const Coordinates>(frame_.to_local(*state.reference));
   }
   if (start) {
     start->coordinates = frame_.to_local(std::move(start->coordinates));

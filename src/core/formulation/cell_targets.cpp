@@ -7,12 +7,18 @@
 namespace winslow {
 
 TargetBlend normalized(const TargetBlend& blend) {
-  const double sum = blend.automatic + blend.element + blend.vcv + blend.rest;
-  if (!(blend.automatic >= 0 && blend.element >= 0 && blend.vcv >= 0 && blend.rest >= 0) ||
+  const double others = blend.automatic + blend.element + blend.vcv + blend.rest;
+  const double sum = others + blend.keep;
+  if (!(blend.automatic >= 0 && blend.element >= 0 && blend.vcv >= 0 && blend.rest >= 0 &&
+        blend.keep >= 0) ||
       !(sum > 0) || !std::isfinite(sum)) {
     throw UsageError("the shares of the target shapes must not be negative, nor all zero");
   }
-  return {blend.automatic / sum, blend.element / sum, blend.vcv / sum, blend.rest / sum};
+  if (blend.keep > 0 && others > 0)
+    throw UsageError(
+        "targets: keep cannot be blended with other shapes: give it alone, or blend rest instead");
+  return {blend.automatic / sum, blend.element / sum, blend.vcv / sum, blend.rest / sum,
+          blend.keep / sum};
 }
 
 double role_weight(ElementRole role) {

@@ -38,10 +38,18 @@ struct CellTargets {
   std::vector<std::array<Index, D + 1>> cells;  ///< nodes, positively oriented; the corner first
   std::vector<Index> offsets{0};                ///< #cells + 1, into terms
   std::vector<Term> terms;
+  /// #terms, or empty: not 0 for guards, terms with a one-sided penalty beyond a limit of f
+  /// (PenaltyConstants): the inverse of the limit.
+  std::vector<double> inverse_limits;
   /// Fraction of the elements (0 to 1) that `auto` targets keep stretched. None if the blend has no
   /// `automatic` share.
   std::optional<double> stretched;
+  /// Number of elements without a shape of their own in the mesh as given, under `keep`.
+  Index without_shape = 0;
 
+  double inverse_limit(std::size_t term) const {
+    return inverse_limits.empty() ? 0 : inverse_limits[term];
+  }
   std::span<const Term> terms_of(std::size_t cell) const { return part(terms, cell); }
   std::span<Term> terms_of(std::size_t cell) { return part(terms, cell); }
 
@@ -58,24 +66,36 @@ struct CellTargets {
 ///     smooth.smooth.targets = winslow::TargetBlend::regular();
 
 /// The target shapes of the variational form. The shares are relative; a blend lies between its
-/// parts (on the geodesic of the metrics of the shapes).
+/// parts (on the geodesic of the metrics of the shapes). By default the command chooses: motions
+/// keep the elements' shapes, all others make them regular or keep them as `automatic` does.
 struct TargetBlend {
-  double automatic = 1;  ///< regular, or the element's own shape where it is deliberately stretched
+  double automatic = 0;  ///< regular, or the element's own shape where it is deliberately stretched
   double element = 0;    ///< regular: equilateral triangles, square corners, and analogues in space
   double vcv = 0;        ///< triangles or tetrahedra of the virtual control volumes
   double rest = 0;       ///< the element's own shape in the mesh as given
+  /// The same, and guards that keep elements from becoming worse than they were given: `keep` of
+  /// target_shapes.h. Not blended with others.
+  double keep = 0;
 
-  static constexpr TargetBlend regular() { return {.automatic = 0, .element = 1}; }
+  static constexpr TargetBlend regular() { return {.element = 1}; }
+  static constexpr TargetBlend automatically() { return {.automatic = 1}; }
+  static constexpr TargetBlend keeping() { return {.keep = 1}; }
+
+  /// Whether the command chooses: all shares are zero.
+  bool by_command() const { return *this == TargetBlend{}; }
+  /// These, or `fallback` if the command is to choose.
+  TargetBlend or_else(const TargetBlend& fallback) const { return by_command() ? fallback : *this; }
 
   bool operator==(const TargetBlend&) const = default;
 };
 
 /// Whether targets depend on the mesh as given.
 inline bool refers_to_given(const TargetBlend& blend) {
-  return blend.automatic > 0 || blend.rest > 0;
+  return blend.automatic > 0 || blend.rest > 0 || blend.keep > 0;
 }
 
-/// The shares scaled to sum to 1. Throws UsageError for shares that are negative or all zero.
+/// The shares scaled to sum to 1. Throws UsageError for shares that are negative or all zero, and
+/// for `keep` with others.
 TargetBlend normalized(const TargetBlend& blend);
 
 /// The role of an element, which affects its targets.

@@ -73,7 +73,7 @@ void add_rank_one(double lambda, const Matrix2& m, const Matrix2& root, double* 
 }  // namespace
 
 void add_projected_blocks(const Corner2& q, const ShapeTerm& term, const PenaltyFunction& psi,
-                          double* blocks) {
+                          double inverse_limit, double* blocks) {
   // The metric over the edges (u, v) is A = root root^T: J = [u v] root.
   const double a11 = term.ab + term.bc, a12 = -term.bc, a22 = term.ac + term.bc;
   const double r11 = std::sqrt(a11), r21 = a12 / r11, r22 = std::sqrt(a22 - r21 * r21);
@@ -82,7 +82,7 @@ void add_projected_blocks(const Corner2& q, const ShapeTerm& term, const Penalty
 
   const double s1 = svd.s1, s2 = svd.s2;
   const double f = 0.5 * (s1 / s2 + s2 / s1);
-  const PenaltySlopes h = psi.slopes(f);
+  const PenaltySlopes h = psi.slopes(f, inverse_limit);
   const double f1 = 0.5 * (s1 - s2) * (s1 + s2) / (s1 * s1 * s2);
   const double f2 = -0.5 * (s1 - s2) * (s1 + s2) / (s1 * s2 * s2);
   const double f12 = -0.5 * (1 / (s1 * s1) + 1 / (s2 * s2));
@@ -96,10 +96,11 @@ void add_projected_blocks(const Corner2& q, const ShapeTerm& term, const Penalty
                blocks);
 }
 
-void project_blocks(const Corner2& q, std::span<const ShapeTerm> terms, const PenaltyFunction& psi,
-                    double* sum) {
+void project_blocks(const Corner2& q, const CellTargets<2>& targets, std::size_t cell,
+                    const PenaltyFunction& psi, double* sum) {
   std::fill(sum, sum + TriangleSum::corners, 0.0);
-  for (const ShapeTerm& term : terms) add_projected_blocks(q, term, psi, sum);
+  for (auto k = at(targets.offsets[cell]); k < at(targets.offsets[cell + 1]); ++k)
+    add_projected_blocks(q, targets.terms[k], psi, targets.inverse_limit(k), sum);
 }
 
 Corner3::Corner3(const std::array<Vec3, 4>& p) {

@@ -26,9 +26,9 @@ struct Corner2 {
   }
 };
 
-/// Hessian of weight * psi(f), projected to positive semidefinite in closed form. Adds the blocks
-/// (2x2, row-major) of a's row at b, a's at c and b's at c to blocks[0..11]; the others are their
-/// transposes, and those of a row sum to zero.
+/// Hessian of weight * psi(f), projected to positive semidefinite in closed form. inverse_limit: of
+/// a guard; 0: of another term. Adds the blocks (2x2, row-major) of a's row at b, a's at c and b's
+/// at c to blocks[0..11]; the others are their transposes, and those of a row sum to zero.
 ///
 /// psi(f) depends on the singular values s1 >= s2 of J alone, so the eigenvectors of its Hessian
 /// over J are known (B. Smith, F. de Goes, T. Kim, "Analytic Eigensystems for Isotropic Distortion
@@ -36,10 +36,10 @@ struct Corner2 {
 /// here), a flip ((psi_1 - psi_2) / (s1 - s2), always positive) and two scalings, of which
 /// exactly one is positive because psi does not change with size.
 void add_projected_blocks(const Corner2& q, const ShapeTerm& term, const PenaltyFunction& psi,
-                          double* blocks);
+                          double inverse_limit, double* blocks);
 /// The same for all terms of a cell; replaces the blocks in its sum (TriangleSum).
-void project_blocks(const Corner2& q, std::span<const ShapeTerm> terms, const PenaltyFunction& psi,
-                    double* sum);
+void project_blocks(const Corner2& q, const CellTargets<2>& targets, std::size_t cell,
+                    const PenaltyFunction& psi, double* sum);
 
 /// Distortion of one tetrahedron against one target. For gradients, Hessians and the equations see
 /// simplex_kernel.h.

@@ -10,10 +10,20 @@ namespace winslow::distortion {
 /// psi(f) = linear f + scale f^exponent; integer: the exponent minus 2 if that is a small natural
 /// number, else -1. Or, with an inverse_bound, psi(f) = f / (1 - inverse_bound f), infinite from f
 /// = 1 / inverse_bound on.
+///
+/// Guards, the terms with a limit, have a penalty of their own, one-sided and twice differentiable:
+///
+///   psi(f) = guard (r^p - 1 - p (r - 1) - p (p - 1) / 2 (r - 1)^2),   r = limit_share f / limit >
+///   1,
+///
+/// and 0 up to r = 1; p is the exponent. Beyond r = steepest it goes on with the same slope.
 struct PenaltyConstants {
   double exponent = 1, linear = 0, scale = 1;
   int integer = -1;
   double inverse_bound = 0;  ///< 0: none
+  double guard = 0;          ///< weight of the guards; 0: they have no effect
+  double limit_share = 1;    ///< below 1: all limits are raised
+  double steepest = 1;       ///< r up to which the slope of guards increases
 };
 
 /// Input of the loops. Non-owning pointers.
@@ -22,6 +32,8 @@ struct SimplexData {
   const Index* nodes = nullptr;    ///< #cells by D + 1, positively oriented
   const Index* offsets = nullptr;  ///< #cells + 1, into terms
   const double* terms = nullptr;   ///< #terms by SimplexLayout::term
+  /// #terms: of a guard the inverse of its limit, of other terms 0. Null: there is no guard.
+  const double* inverse_limits = nullptr;
   PenaltyConstants penalty;
   const double* size = nullptr;  ///< #cells: e / epsilon of the regularised determinant
   double epsilon = 0;            ///< or null and zero: the determinant itself

@@ -147,9 +147,9 @@ std::shared_ptr<const VariationalForm> SurfaceWinslow::with_corner_lengths(
       std::make_shared<const Targets>(winslow::with_corner_lengths(shapes(), SpacePoints(x))));
 }
 
-double SurfaceWinslow::worst_distortion(const Coordinates& x) const {
+double SurfaceWinslow::worst(const Coordinates& x, bool of_guards) const {
   const FlatCells cells = lay_flat(x, nullptr);
-  return worst_of([&](std::size_t t) { return corner_of(cells, t); });
+  return worst_of([&](std::size_t t) { return corner_of(cells, t); }, of_guards);
 }
 
 std::vector<bool> SurfaceWinslow::turned_over(const Coordinates& x) const {
@@ -225,16 +225,18 @@ std::vector<Foot> SurfaceWinslow::feet(const Coordinates& coordinates) const {
 /// The numbers z of a cell, for each pair of its nodes.
 void SurfaceWinslow::bend_out(const distortion::Corner2& corner, std::size_t cell,
                               double* z) const {
-  const PenaltyFunction psi(penalty());
+  const PenaltyFunction psi = this->psi();
   const Vec2 u(corner.ux, corner.uy), v(corner.vx, corner.vy);
   const std::array<Vec2, 3> across{v - u, -v, u};
   const std::array<double, 3> actual{across[0].dot(across[1]) / corner.d,
                                      across[0].dot(across[2]) / corner.d,
                                      across[1].dot(across[2]) / corner.d};
   std::fill_n(z, 3, 0.0);
-  for (const ShapeTerm& term : shapes().terms_of(cell)) {
+  const Targets& targets = shapes();
+  for (auto k = at(targets.offsets[cell]); k < at(targets.offsets[cell + 1]); ++k) {
+    const ShapeTerm& term = targets.terms[k];
     const double f = corner.distortion(term);
-    const double scale = term.weight * psi.slopes(f).first / corner.d;
+    const double scale = term.weight * psi.slopes(f, targets.inverse_limit(k)).first / corner.d;
     const std::array<double, 3> target{-term.ab, -term.ac, -term.bc};
     for (std::size_t i = 0; i < 3; ++i) z[i] += scale * (target[i] - f * actual[i]);
   }
@@ -243,7 +245,7 @@ void SurfaceWinslow::bend_out(const distortion::Corner2& corner, std::size_t cel
 void SurfaceWinslow::sum_cells(const FlatCells& cells, const Regularisation* regularisation,
                                Second second, CellSums& out) const {
   const SimplexData of_cells = data(cells, regularisation);
-  const PenaltyFunction psi(penalty());
+  const PenaltyFunction psi = this->psi();
   const auto n = static_cast<Index>(cells.planes.size());
   out.bends = second == Second::exact || second == Second::projected;
   std::vector<double> energies(block_count(n), 0.0);
@@ -258,7 +260,7 @@ void SurfaceWinslow::sum_cells(const FlatCells& cells, const Regularisation* reg
       bend_out(corner, t, out.z + 3 * t);
       if (second != Second::projected) continue;
       keep_convex(out.z + 3 * t);
-      distortion::project_blocks(corner, shapes().terms_of(t), psi,
+      distortion::project_blocks(corner, shapes(), t, psi,
                                  out.sums + Layout::sum * static_cast<std::ptrdiff_t>(t));
     }
   });

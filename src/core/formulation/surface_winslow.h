@@ -61,7 +61,6 @@ class SurfaceWinslow final : public TargetForm<2> {
                                                            std::span<const double> direction,
                                                            double step) const override;
   std::shared_ptr<const VariationalForm> with_corner_lengths(const Coordinates& x) const override;
-  double worst_distortion(const Coordinates& x) const override;
   std::unique_ptr<const TargetPath> target_path(const Coordinates& from) const override;
 
  private:
@@ -72,6 +71,7 @@ class SurfaceWinslow final : public TargetForm<2> {
   std::shared_ptr<TargetForm<2>> copy() const override {
     return std::make_shared<SurfaceWinslow>(*this);
   }
+  double worst(const Coordinates& x, bool of_guards) const override;
   std::vector<Vec3> normals(const Coordinates& x) const;
   /// Maps each into its own plane; with a regularisation, along the normals in it.
   FlatCells lay_flat(const Coordinates& x, const Regularisation* regularisation) const;

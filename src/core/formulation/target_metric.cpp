@@ -111,6 +111,19 @@ void take_lengths(VolumeTerm& term, const std::array<Index, 4>& cell, const Spac
 
 }  // namespace
 
+TargetMetric with_lengths_of(const TargetMetric& own, const TargetMetric& regular) {
+  if (std::abs(regular.a12) > round_off * (regular.a11 + regular.a22)) return regular;
+  const double ratio = std::sqrt(own.a11 / own.a22);  // of the second edge to the first
+  return {ratio, 0, 1 / ratio};
+}
+
+Eigen::Matrix3d with_lengths_of(const Eigen::Matrix3d& own, const Eigen::Matrix3d& regular) {
+  const Vec3 lengths = own.inverse().diagonal().cwiseSqrt();
+  for (const bool all_right : {true, false})
+    if (const auto scaled = with_lengths(regular, lengths, all_right)) return *scaled;
+  return regular;
+}
+
 template <int D, int S>
 CellTargets<D> with_corner_lengths(CellTargets<D> targets, const Points<S>& x) {
   for (std::size_t t = 0; t < targets.cells.size(); ++t)

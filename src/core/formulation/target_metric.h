@@ -139,6 +139,12 @@ inline double stretch_between(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b
   return RelativeMetric(a, b).stretch();
 }
 
+/// The metric of the right-angled corner `regular` with the edge lengths of the corner `own`: a
+/// rectangle, a box, or an upright prism over an equilateral triangle. Another corner is returned
+/// as it is.
+TargetMetric with_lengths_of(const TargetMetric& own, const TargetMetric& regular);
+Eigen::Matrix3d with_lengths_of(const Eigen::Matrix3d& own, const Eigen::Matrix3d& regular);
+
 /// Gives targets of single corners the edge lengths that the corner has in a mesh, so that only its
 /// angles count. The edges depend on the element:
 ///

@@ -19,6 +19,14 @@ Eigen::Matrix3d own_metric(const SpacePoints& x, const std::array<Index, 4>& cel
   return has_metric(edges) ? volume_metric(edges) : metric_of(end);
 }
 
+/// f of a cell with this metric, for a term.
+double distortion_between(const TargetMetric& own, const ShapeTerm& term) {
+  return std::cosh(stretch_between(own, TargetMetric::of(term)));
+}
+double distortion_between(const Eigen::Matrix3d& own, const VolumeTerm& term) {
+  return (metric_of(term) * own.inverse()).trace() / 3;
+}
+
 ShapeTerm on_the_way(const TargetMetric& own, const ShapeTerm& term, double share) {
   return between(own, TargetMetric::of(term), share).term(term.weight);
 }
@@ -38,6 +46,9 @@ ShapePath<D>::ShapePath(std::shared_ptr<const TargetForm<D>> end, const Points<S
   own_.reserve(shapes.cells.size());
   for (std::size_t t = 0; t < shapes.cells.size(); ++t)
     own_.push_back(own_metric(from, shapes.cells[t], shapes.terms_of(t).front()));
+  if (!end_->has_guards()) return;
+  for (std::size_t t = 0; t < shapes.cells.size(); ++t)
+    for (const auto& term : shapes.terms_of(t)) seen_.push_back(distortion_between(own_[t], term));
 }
 
 template <int D>
@@ -47,7 +58,14 @@ std::shared_ptr<const TargetForm<D>> ShapePath<D>::form_at(double share) const {
   const auto count = static_cast<Index>(own_.size());
   parallel_for(threads_, count, [&](Index begin, Index stop) {
     for (std::size_t t = at(begin); t < at(stop); ++t)
-      for (auto& term : shapes.terms_of(t)) term = on_the_way(own_[t], term, share);
+      for (auto k = at(shapes.offsets[t]); k < at(shapes.offsets[t + 1]); ++k) {
+        const double inverse_limit = shapes.inverse_limit(k);
+        // A guard has no effect at the valid mesh, and its own limit at the end.
+        if (inverse_limit > 0)
+          shapes.inverse_limits[k] = std::min(inverse_limit, 1 / ((1 - share) * seen_[k]));
+        else
+          shapes.terms[k] = on_the_way(own_[t], shapes.terms[k], share);
+      }
   });
   return end_->with_shapes(std::make_shared<const CellTargets<D>>(std::move(shapes)));
 }

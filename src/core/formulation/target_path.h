@@ -23,7 +23,8 @@ class ShapePath final : public TargetPath {
 
   std::shared_ptr<const TargetForm<D>> end_;
   int threads_;
-  std::vector<Metric> own_;  // for each cell of the form, in its order
+  std::vector<Metric> own_;   // for each cell of the form, in its order
+  std::vector<double> seen_;  // f of each term at the valid mesh; empty: the form has no guards
 };
 
 }  // namespace winslow

@@ -1,6 +1,7 @@
 #include "core/formulation/target_shapes.h"
 
 #include "core/error.h"
+#include "core/formulation/kept_shapes.h"
 #include "core/formulation/stretch_field.h"
 #include "core/formulation/target_metric.h"
 #include "core/mesh/element_type.h"
@@ -32,7 +33,14 @@ class TargetBuilder {
       return !topology_.on_boundary(node) || (classes_ && classes_->moves(node));
     });
   }
-  bool heeds_vcvs(Index e) const { return !ignores_vcvs(role_of(roles_, e)); }
+  bool keeps() const { return blend_.keep > 0; }
+  bool is_layer(Index e) const {
+    const ElementRole role = role_of(roles_, e);
+    return role == ElementRole::layer || role == ElementRole::found_layer;
+  }
+  bool heeds_vcvs(Index e) const {
+    return keeps() ? is_layer(e) : !ignores_vcvs(role_of(roles_, e));
+  }
   double weight_of(Index e) const { return element_weight(e, blend_, stretch_, roles_); }
   /// CellTargets::stretched.
   std::optional<double> stretched() const {
@@ -45,6 +53,21 @@ class TargetBuilder {
     return stretch_.share[at(e)] * (stretch > longest ? longest / stretch : 1);
   }
   bool has_own_share(Index e) const { return stretch_.share[at(e)] != 0; }
+  /// Finds the elements without a shape, and returns their number. If more than one in twenty has
+  /// none, the mesh has no shape to keep: all are lost.
+  template <class HasShape>
+  Index find_lost(const HasShape& has_shape) {
+    constexpr double most = 0.05;
+    Index count = 0;
+    lost_.assign(at(topology_.element_count()), false);
+    for (Index e = 0; e < topology_.element_count(); ++e) {
+      lost_[at(e)] = !has_shape(e);
+      count += lost_[at(e)] ? 1 : 0;
+    }
+    if (count > most * static_cast<double>(lost_.size())) lost_.assign(lost_.size(), true);
+    return count;
+  }
+  bool is_lost(Index e) const { return lost_[at(e)]; }
   [[noreturn]] static void refuse_rest(Index e, const char* fault) {
     throw MeshError(MeshEntity::element, e,
                     "element " + std::to_string(e) + " is " + fault +
@@ -58,6 +81,7 @@ class TargetBuilder {
  private:
   const ElementRoles* roles_;  // null: all ordinary
   StretchField stretch_;       // if the blend has an `automatic` share
+  std::vector<bool> lost_;     // #elements, under `keep`: it has no shape of its own
 };
 
 /// Builds targets for the elements of plane and surface meshes.
@@ -71,10 +95,12 @@ class FaceTargets : TargetBuilder {
         given_(given),
         normals_(normals) {
     shapes_.stretched = stretched();
-    edited_blend_ = {0, 0, blend_.automatic + blend_.element + blend_.vcv, blend_.rest};
+    edited_blend_ = {.vcv = blend_.automatic + blend_.element + blend_.vcv + blend_.keep,
+                     .rest = blend_.rest};
   }
 
   TargetShapes build() {
+    if (keeps()) shapes_.without_shape = find_lost([&](Index e) { return has_shape(e); });
     for (Index e = 0; e < topology_.element_count(); ++e) {
       if (topology_.element_type(e) == ElementType::triangle) {
         add_triangle(e);
@@ -89,6 +115,14 @@ class FaceTargets : TargetBuilder {
   static std::array<Index, 3> corner_nodes(std::span<const Index> element, std::size_t k) {
     const std::size_t n = element.size();
     return {element[k], element[(k + 1) % n], element[(k + n - 1) % n]};
+  }
+
+  /// Whether no corner of an element is inverted in the mesh as given.
+  bool has_shape(Index e) const {
+    const auto element = topology_.element(e);
+    for (std::size_t k = 0; k < element.size(); ++k)
+      if (!own_metric(corner_nodes(element, k), e)) return false;
+    return true;
   }
 
   /// The shares at a corner: an edited VCV replaces the element's own shape.
@@ -188,12 +222,32 @@ class FaceTargets : TargetBuilder {
     const auto first = corner_nodes(element, 0);
     if (!movable(first)) return;
     shapes_.cells.push_back(first);
-    if (blend_.vcv > 0 || (any_edited(element) && heeds_vcvs(e))) {
+    if (keeps()) {
+      add_kept(e, first, pi / 3, 1);
+    } else if (blend_.vcv > 0 || (any_edited(element) && heeds_vcvs(e))) {
       add_vcv_terms(e);
     } else {
       shapes_.terms.push_back(common_metric(blend_, first, e).normalized().term(weight_of(e)));
     }
     shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
+  }
+
+  /// Factor of the weight of held layers under `keep`: guards of elements that are squashed against
+  /// them push ten times as hard as other targets do.
+  static constexpr double weight_beside_guards = 10;
+  /// Whether VCVs, not its own shape, are the targets of an element under `keep`: they hold the
+  /// wanted heights of layers.
+  bool spaced_by_vcvs(Index e) const { return is_layer(e) && any_edited(topology_.element(e)); }
+  TargetMetric own_or(const TargetMetric& regular, const std::array<Index, 3>& nodes,
+                      Index e) const {
+    return is_lost(e) ? regular : *own_metric(nodes, e);
+  }
+
+  /// Adds the terms of a corner under `keep`. part: share of the element's weight.
+  void add_kept(Index e, const std::array<Index, 3>& nodes, double angle, double part) {
+    const TargetMetric regular = TargetMetric::of_angle(angle);
+    const TargetMetric own = own_or(regular, nodes, e);
+    append(shapes_, kept_terms(topology_.element_type(e), regular, own, part * weight_of(e)));
   }
 
   /// The part of a triangle's target without VCVs, over its edges at corner 0.
@@ -254,11 +308,18 @@ class FaceTargets : TargetBuilder {
     for (std::size_t k = 0; k < 4; ++k) {
       if (!live[k]) continue;
       const auto nodes = corner_nodes(element, k);
+      if (keeps() && !spaced_by_vcvs(e)) {
+        shapes_.cells.push_back(nodes);
+        add_kept(e, nodes, pi / 2, 1.0 / count);
+        shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
+        continue;
+      }
       const bool own = !heeds_vcvs(e);
       const bool follows = !own && topology_.on_boundary(nodes[0]) && any_edited(element);
       const TargetBlend& blend = own ? blend_ : follows ? edited_blend_ : blend_at(nodes[0]);
       TargetMetric metric;
       add_regular(metric, blend, nodes, e);
+      if (blend.keep > 0) metric.add(blend.keep, own_or(TargetMetric::of_angle(pi / 2), nodes, e));
       if (follows) {
         add_parallelogram(metric, e, k);
       } else if (blend.vcv > 0) {
@@ -270,7 +331,9 @@ class FaceTargets : TargetBuilder {
       }
       add_rest(metric, nodes, e);
       shapes_.cells.push_back(nodes);
-      shapes_.terms.push_back(metric.normalized().term(weight_of(e) / count));
+      shapes_.terms.push_back(
+          metric.normalized().term((keeps() ? weight_beside_guards : 1) * weight_of(e) / count));
+      if (keeps()) shapes_.inverse_limits.push_back(0);
       shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
     }
   }
@@ -310,8 +373,10 @@ class VolumeTargets : TargetBuilder {
   }
 
   CellTargets<3> build() {
+    if (keeps()) targets_.without_shape = find_lost([&](Index e) { return has_shape(e); });
     for (Index e = 0; e < topology_.element_count(); ++e) list_element(e);
     targets_.terms.resize(at(targets_.offsets.back()));
+    if (keeps()) targets_.inverse_limits.resize(targets_.terms.size());
     const auto count = static_cast<Index>(targets_.cells.size());
     parallel_for(threads_, count, [&](Index begin, Index end) {
       for (Index cell = begin; cell < end; ++cell) fill(cell);
@@ -327,6 +392,13 @@ class VolumeTargets : TargetBuilder {
     double weight;  ///< sum over all its terms
   };
 
+  /// Whether no corner of an element is inverted or flat in the mesh as given.
+  bool has_shape(Index e) const {
+    return std::ranges::all_of(
+        corner_tetrahedra(topology_.element_type(e)), [&](const auto& corner) {
+          return own_metric(by_nodes(corner, topology_.element(e))).has_value();
+        });
+  }
   bool free(Index node) const { return !topology_.on_boundary(node); }
   /// The VCV given by hand to a node; null if there is none or the element ignores it.
   const SphereStencil* by_hand(Index e, Index node) const {
@@ -356,7 +428,8 @@ class VolumeTargets : TargetBuilder {
       if (!movable(nodes)) continue;
       if (blend_.rest > 0 && !own_metric(nodes)) refuse_rest(e, "inverted or flat");
       targets_.cells.push_back(nodes);
-      targets_.offsets.push_back(targets_.offsets.back() + std::max(vcv_terms(e, nodes), 1));
+      targets_.offsets.push_back(targets_.offsets.back() +
+                                 (keeps() ? 2 : std::max(vcv_terms(e, nodes), 1)));
       origins_.push_back({e, static_cast<int>(k), 0});
     }
     if (std::ranges::binary_search(guarded_, e)) list_edges(e);
@@ -374,7 +447,7 @@ class VolumeTargets : TargetBuilder {
       if (!movable(nodes)) continue;
       if (blend_.rest > 0 && !own_metric(nodes)) continue;
       targets_.cells.push_back(nodes);
-      targets_.offsets.push_back(targets_.offsets.back() + 1);
+      targets_.offsets.push_back(targets_.offsets.back() + (keeps() ? 2 : 1));
       origins_.push_back({e, static_cast<int>(corners + k), 0});
     }
   }
@@ -390,6 +463,10 @@ class VolumeTargets : TargetBuilder {
     const bool at_edge = at(corner) >= corners;
     const Eigen::Matrix3d& regular = at_edge ? regular_edge_metrics(type)[at(corner) - corners]
                                              : regular_metrics(type)[at(corner)];
+    if (keeps()) {
+      fill_kept(cell, regular);
+      return;
+    }
     const Eigen::Matrix3d common = common_part(e, regular, nodes);
     const auto at_node = [&](std::size_t k, double share) {
       const double vcv = vcv_share(e, nodes[k]);
@@ -409,6 +486,18 @@ class VolumeTargets : TargetBuilder {
     // Boundary nodes have no VCV.
     const Eigen::Matrix3d sum = common + blend_.vcv * regular;
     *term = volume_term(normalized_metric(sum), weight);
+  }
+
+  /// The terms of a cell under `keep`.
+  void fill_kept(Index cell, const Eigen::Matrix3d& regular) {
+    const auto [e, corner, weight] = origins_[at(cell)];
+    const auto first = at(targets_.offsets[at(cell)]);
+    const auto own = is_lost(e) ? std::nullopt : own_metric(targets_.cells[at(cell)]);
+    const auto terms =
+        kept_terms(topology_.element_type(e), regular, own.value_or(regular), weight);
+    targets_.terms[first] = terms.own;
+    targets_.terms[first + 1] = terms.guard;
+    targets_.inverse_limits[first + 1] = terms.inverse_limit;
   }
 
   /// Metric, over the edges from the first node, of the tetrahedron in the VCV of node `centre`

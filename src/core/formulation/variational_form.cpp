@@ -83,7 +83,8 @@ distortion::SimplexData TargetForm<D>::data(const double* points, const Index* n
   data.offsets = shapes_->offsets.data();
   // Points to the first member of the first term: terms consist only of numbers.
   data.terms = reinterpret_cast<const double*>(shapes_->terms.data());
-  data.penalty = distortion::PenaltyFunction(this->penalty()).constants();
+  if (has_guards()) data.inverse_limits = shapes_->inverse_limits.data();
+  data.penalty = psi().constants();
   if (regularisation) {
     data.size = regularisation->size.data();
     data.epsilon = 1;

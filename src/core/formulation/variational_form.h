@@ -14,6 +14,10 @@ struct PenaltyOptions {
   double exponent = 8;  ///< p >= 1
   double knee = 1.78;   ///< distortion f from which the power takes effect, > 1; 0: psi(f) = f^p
   double bound = 0;     ///< if positive psi(f) = f / (1 - f / bound), infinite from the bound on
+  double raise = 1;     ///< factor of the knee and of the limits of guards, >= 1
+  /// Weight of guards (CellTargets::inverse_limits). They have no effect without a knee, with a
+  /// bound, or with an exponent up to 2.
+  double guard = 0.1;
 
   bool operator==(const PenaltyOptions&) const = default;
 };
@@ -21,23 +25,33 @@ struct PenaltyOptions {
 namespace distortion {
 
 /// psi(f) = f + (f / knee)^p, or f^p without a knee, or f / (1 - f / bound): its first two
-/// derivatives.
+/// derivatives. With guards psi(f) = f for the other terms; for the guards see PenaltyConstants.
 struct PenaltySlopes {
   double first, second;
 };
 
 class PenaltyFunction {
  public:
-  explicit PenaltyFunction(const PenaltyOptions& options) {
-    const auto [exponent, knee, bound] = options;
+  /// guarded: whether the form has guards.
+  explicit PenaltyFunction(const PenaltyOptions& options, bool guarded = false) {
+    const auto [exponent, knee, bound, raise, guard] = options;
     const double whole = std::round(exponent);
     const bool is_small_natural = whole == exponent && whole >= 2 && whole <= 32;
-    constants_ = {exponent, knee > 0 ? 1.0 : 0.0, knee > 0 ? std::pow(knee, -exponent) : 1.0,
+    constants_ = {exponent, knee > 0 ? 1.0 : 0.0,
+                  knee > 0 ? std::pow(knee * raise, -exponent) : 1.0,
                   is_small_natural ? static_cast<int>(whole) - 2 : -1, bound > 0 ? 1 / bound : 0.0};
+    if (!guarded || knee == 0 || bound > 0) return;
+    constexpr double steepest = 2;
+    constants_.scale = 0;
+    constants_.guard = exponent > 2 ? guard : 0;
+    constants_.limit_share = 1 / raise;
+    constants_.steepest = steepest;
   }
 
   const PenaltyConstants& constants() const { return constants_; }
-  PenaltySlopes slopes(double f) const {
+  /// inverse_limit: of a guard; 0: of another term.
+  PenaltySlopes slopes(double f, double inverse_limit = 0) const {
+    if (inverse_limit > 0) return slopes_of_guard(f, inverse_limit * constants_.limit_share);
     if (constants_.inverse_bound > 0) {
       const double growth = 1 / (1 - constants_.inverse_bound * f);
       return {growth * growth, 2 * constants_.inverse_bound * growth * growth * growth};
@@ -48,6 +62,15 @@ class PenaltyFunction {
   }
 
  private:
+  PenaltySlopes slopes_of_guard(double f, double share) const {
+    const double seen = share * f, p = constants_.exponent;
+    const double r = std::clamp(seen, 1.0, constants_.steepest);
+    const double power = std::pow(r, p - 2);
+    const double bend = seen < constants_.steepest ? p * (p - 1) * (power - 1) : 0;
+    return {constants_.guard * share * p * (power * r - 1 - (p - 1) * (r - 1)),
+            constants_.guard * share * share * bend};
+  }
+
   PenaltyConstants constants_;
 };
 
@@ -72,8 +95,15 @@ class VariationalForm : public NodeProblem<UntanglingProblem> {
   /// logarithms). So a decrease of the largest f from x raises the smallest of these.
   virtual std::shared_ptr<const VariationalForm> with_corner_lengths(
       const Coordinates& x) const = 0;
-  /// Largest f of any cell; infinite if one is inverted.
-  virtual double worst_distortion(const Coordinates& x) const = 0;
+  /// Largest f of any term, guards left out; infinite if a cell is inverted.
+  double worst_distortion(const Coordinates& x) const { return worst(x, false); }
+  /// Largest f of any term in knees; of a form with guards, the largest f of a guard in its limit.
+  /// As if nothing was raised. knee: not 0. Infinite if a cell is inverted.
+  double strain(const Coordinates& x, double knee) const {
+    return has_guards() ? worst(x, true) : worst(x, false) / knee;
+  }
+  /// Whether some terms are guards: CellTargets::inverse_limits.
+  virtual bool has_guards() const = 0;
   /// Targets on the way from the shapes of a valid mesh to the form's own.
   virtual std::unique_ptr<const TargetPath> target_path(const Coordinates& from) const = 0;
   /// CellTargets::stretched.
@@ -85,6 +115,10 @@ class VariationalForm : public NodeProblem<UntanglingProblem> {
   void set_penalty(const PenaltyOptions& penalty) { penalty_ = penalty; }
 
  private:
+  /// Largest f of any term but guards. of_guards: largest f of a guard in its limit. Infinite if a
+  /// cell is inverted.
+  virtual double worst(const Coordinates& x, bool of_guards) const = 0;
+
   PenaltyOptions penalty_;
 };
 
@@ -102,6 +136,7 @@ class TargetForm : public VariationalForm {
   std::shared_ptr<const TargetForm> with_shapes(std::shared_ptr<const Targets> shapes) const;
   const Targets& shapes() const { return *shapes_; }
   std::optional<double> stretched() const final { return shapes_->stretched; }
+  bool has_guards() const final { return !shapes_->inverse_limits.empty(); }
 
   double energy(const Coordinates& x) const final { return energy_of(x, nullptr); }
   double regularised_energy(const Coordinates& x,
@@ -144,21 +179,26 @@ class TargetForm : public VariationalForm {
                                const Regularisation* regularisation) const;
   /// The energy of all cells.
   double sum_energy(const distortion::SimplexData& cells) const;
-  /// The largest distortion of a cell; infinite if one is inverted. corner(cell): its Corner.
+  /// worst() for derived classes. corner(cell): its Corner.
   template <typename CornerOf>
-  double worst_of(const CornerOf& corner) const {
+  double worst_of(const CornerOf& corner, bool of_guards) const {
     double worst = 0;
     for (std::size_t t = 0; t < shapes_->cells.size(); ++t) {
       const auto of_cell = corner(t);
-      for (const auto& term : shapes_->terms_of(t)) {
-        const double f = of_cell.distortion(term);
+      for (auto k = at(shapes_->offsets[t]); k < at(shapes_->offsets[t + 1]); ++k) {
+        const double f = of_cell.distortion(shapes_->terms[k]);
         if (!(f > 0)) return std::numeric_limits<double>::infinity();
-        worst = std::max(worst, f);
+        const double inverse_limit = shapes_->inverse_limit(k);
+        if ((inverse_limit > 0) == of_guards)
+          worst = std::max(worst, of_guards ? f * inverse_limit : f);
       }
     }
     return worst;
   }
   const distortion::SimplexKernel<D>& kernel() const { return kernel_; }
+  distortion::PenaltyFunction psi() const {
+    return distortion::PenaltyFunction(this->penalty(), has_guards());
+  }
 
   /// For each row (#nodes with unknowns) whether its sliding node is held; empty: none is.
   const std::vector<bool>& stuck() const { return stuck_; }

@@ -27,6 +27,9 @@ CellTargets<D> reordered(const CellTargets<D>& shapes, const std::vector<Index>&
     out.cells.push_back(shapes.cells[at(t)]);
     const auto terms = shapes.terms_of(at(t));
     out.terms.insert(out.terms.end(), terms.begin(), terms.end());
+    if (!shapes.inverse_limits.empty())
+      for (auto k = at(shapes.offsets[at(t)]); k < at(shapes.offsets[at(t) + 1]); ++k)
+        out.inverse_limits.push_back(shapes.inverse_limits[k]);
     out.offsets.push_back(static_cast<Index>(out.terms.size()));
   }
   return out;
@@ -53,7 +56,7 @@ void project(const CellTargets<2>& shapes, const double* x, const PenaltyFunctio
              std::span<const Index> cells, double* sums) {
   for (const Index t : cells) {
     const distortion::Corner2 corner(points_of<2>(x, shapes.cells[at(t)]));
-    distortion::project_blocks(corner, shapes.terms_of(at(t)), psi, sums);
+    distortion::project_blocks(corner, shapes, at(t), psi, sums);
     sums += Layout<2>::sum;
   }
 }
@@ -155,8 +158,7 @@ double SimplexWinslow<D>::sum_block(const SimplexData& data, bool is_projected, 
     const auto sum = is_projected && kernel.sum_projected ? kernel.sum_projected : kernel.sum;
     energy += sum(data, part.data(), count, rows.first_new_cell(block), memory.sums.data());
     if constexpr (D == 2) {
-      if (is_projected)
-        project(this->shapes(), data.x, PenaltyFunction(this->penalty()), part, memory.sums.data());
+      if (is_projected) project(this->shapes(), data.x, this->psi(), part, memory.sums.data());
     }
     kernel.scatter(memory.sums.data(), places.data() + first, count, memory.rows.data(),
                    with_matrix ? memory.matrix.data() : nullptr);
@@ -172,11 +174,12 @@ std::shared_ptr<const VariationalForm> SimplexWinslow<D>::with_corner_lengths(
 }
 
 template <int D>
-double SimplexWinslow<D>::worst_distortion(const Coordinates& x) const {
+double SimplexWinslow<D>::worst(const Coordinates& x, bool of_guards) const {
   x.require_dimension(D);
-  return this->worst_of([&](std::size_t t) {
+  const auto corner = [&](std::size_t t) {
     return distortion::Corner<D>(points_of<D>(x.values().data(), this->shapes().cells[t]));
-  });
+  };
+  return this->worst_of(corner, of_guards);
 }
 
 /// Null for a plane mesh: its curves have folds only at corners, which are fixed.

@@ -51,7 +51,6 @@ class SimplexWinslow final : public TargetForm<D> {
   void boundary_response(const Coordinates& x, const Coordinates& displacement,
                          std::span<double> out) const override;
   std::shared_ptr<const VariationalForm> with_corner_lengths(const Coordinates& x) const override;
-  double worst_distortion(const Coordinates& x) const override;
   std::shared_ptr<const EnergyProblem> holding_stuck_nodes(const Coordinates& x,
                                                            std::span<const double> direction,
                                                            double step) const override;
@@ -59,6 +58,7 @@ class SimplexWinslow final : public TargetForm<D> {
 
  private:
   struct BlockMemory;
+  double worst(const Coordinates& x, bool of_guards) const override;
   std::shared_ptr<TargetForm<D>> copy() const override {
     return std::make_shared<SimplexWinslow>(*this);
   }

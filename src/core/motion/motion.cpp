@@ -23,6 +23,7 @@ class Rigid final : public Motion {
         axis_(axis_of(motion).normalized()) {}
 
   std::span<const Index> nodes() const override { return nodes_; }
+  bool moves() const override { return rotate_ != 0 || !translate_.isZero(0); }
 
   void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
     const Eigen::Matrix<double, D, D> rotation = rotation_by(radians(rotate_ * fraction));
@@ -59,6 +60,9 @@ class Bodies final : public Motion {
 
   std::span<const Index> nodes() const override { return nodes_; }
   std::span<const std::unique_ptr<Motion>> bodies() const override { return bodies_; }
+  bool moves() const override {
+    return std::ranges::any_of(bodies_, [](const auto& body) { return body->moves(); });
+  }
   void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
     for (const auto& body : bodies_) body->apply(rest, fraction, out);
   }
@@ -228,6 +232,9 @@ class Displaced final : public Motion {
   Displaced(std::vector<Index> nodes, std::vector<Vec<D>> displacements)
       : nodes_(std::move(nodes)), displacements_(std::move(displacements)) {}
   std::span<const Index> nodes() const override { return nodes_; }
+  bool moves() const override {
+    return !std::ranges::all_of(displacements_, [](const auto& by) { return by.isZero(0); });
+  }
   void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const Vec<D> place = rest.get<D>(nodes_[i]) + fraction * displacements_[i];

@@ -16,6 +16,8 @@ class Motion {
   /// Writes the positions of nodes() at `fraction` (0 to 1) of the motion. `rest`: all nodes before
   /// the motion. Rotations are interpolated as rotations.
   virtual void apply(const Coordinates& rest, double fraction, Coordinates& out) const = 0;
+  /// False if every node stays where it is, at every fraction. (A rotation by 360 degrees moves.)
+  virtual bool moves() const { return true; }
   /// The motion of the bodies alone, without nodes between them that move along.
   virtual const Motion& of_bodies() const { return *this; }
   /// The motions of the single bodies; empty if there is only one body.

@@ -48,6 +48,7 @@ std::string text_of(const SpaceVectorOption& vector) {
 }
 std::string text_of(const ChoiceOption& choice) { return choice.name(); }
 std::string text_of(const SharesOption& shares) {
+  if (shares.may_be_none() && shares.is_none()) return std::string(shares.none.name);
   std::string text;
   for (const auto& [name, label, help, share] : shares.parts) {
     if (*share == 0) continue;
@@ -114,6 +115,7 @@ std::string wrong_with(const ChoiceOption& choice) {
   return "found \"" + choice.name() + "\", expected one of " + choice.names();
 }
 std::string wrong_with(const SharesOption& shares) {
+  if (shares.may_be_none() && shares.is_none()) return "";
   double sum = 0;
   bool negative = false;
   for (const auto& part : shares.parts) {

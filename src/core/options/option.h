@@ -142,9 +142,25 @@ class ChoiceOption {
 struct SharesOption {
   struct Part {
     std::string_view name, label, help;
-    double* share;
+    double* share = nullptr;
   };
   std::vector<Part> parts;
+  /// What all shares zero mean, with the name of that choice. Without a name: they are a fault.
+  Part none = {};
+
+  bool may_be_none() const { return !none.name.empty(); }
+  bool is_none() const {
+    return std::ranges::all_of(parts, [](const Part& part) { return *part.share == 0; });
+  }
+  void clear() const {
+    for (const Part& part : parts) *part.share = 0;
+  }
+  /// What can be chosen, in display order: `none`, then the parts.
+  std::vector<Part> choices() const {
+    std::vector<Part> all = parts;
+    if (may_be_none()) all.insert(all.begin(), none);
+    return all;
+  }
 };
 
 using OptionValue = std::variant<RealOption, OptionalRealOption, IntegerOption, SeedOption,

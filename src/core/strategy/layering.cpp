@@ -66,6 +66,7 @@ LayerInsertion make_room(const LayerRequest& request, const MeshState& state, Ru
   smooth.threads = request.smooth.threads;
   smooth.linear = request.smooth.linear;
   smooth.tolerance = 1e-3;
+  smooth.targets = TargetBlend::automatically();
   constexpr int most_attempts = 6;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     LayerInsertion layers = insert_layers(state.mesh, plan);
@@ -107,9 +108,11 @@ void control_spacing(MeshState& state, const SmoothOptions& smooth, double toler
   const auto base = state.vcvs.plane();
   const auto roles = layer_roles(*state.mesh.topology, stack);  // corrections do not change them
   SmoothResult outcome;                                         // result of the last run
+  const auto reference = reference_of(state);
   const auto smooth_towards = [&] {
-    const MeshState target{
+    MeshState target{
         {state.mesh.topology, x}, layer_vcvs(state.mesh.topology, stack, *base, x), roles};
+    target.reference = reference;
     outcome = runs.smooth(target, smooth, x);
     return target.vcvs;
   };
@@ -318,8 +321,10 @@ SmoothResult run_layers(const LayerRequest& request, MeshState& state, const Run
 }
 
 SmoothResult move_with_layers(MeshState& state, const Motion& motion, const MotionOptions& how,
-                              const SmoothOptions& smooth, const RunOptions& run) {
+                              const SmoothOptions& asked, const RunOptions& run) {
   SmoothResult result;
+  SmoothOptions smooth = asked;
+  smooth.targets = smooth.targets.or_else(TargetBlend::keeping());  // for corrections as well
   const Mesh& mesh = state.mesh;
   const std::vector<Index> kept =
       nodes_kept_outside(smooth.keep_outside, *mesh.topology, mesh.coordinates, motion.nodes());

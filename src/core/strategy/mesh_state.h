@@ -55,7 +55,17 @@ struct MeshState {
   /// The shape on which the nodes of a surface mesh stay, from the first smoothing on. Null: not
   /// found yet, or another kind of mesh.
   std::shared_ptr<const SurfaceShape> surface = nullptr;
+  /// The reference mesh: coordinates, in the same connectivity, whose element shapes motions keep.
+  /// It is the mesh as opened, or as the last smoothing or insertion of layers left it; motions do
+  /// not change it. Null: the mesh itself.
+  std::shared_ptr<const Coordinates> reference = nullptr;
 };
+/// The reference mesh of a state.
+inline std::shared_ptr<const Coordinates> reference_of(const MeshState& state) {
+  return state.reference ? state.reference
+                         : std::make_shared<const Coordinates>(state.mesh.coordinates);
+}
+
 /// A state with the paper's VCVs of a plane or surface mesh: equal angles, unit edges.
 inline MeshState make_state(Mesh mesh) {
   Vcvs vcvs;  // those of a volume mesh are made where an equation needs them

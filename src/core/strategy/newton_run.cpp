@@ -6,6 +6,8 @@ namespace winslow {
 
 namespace {
 
+constexpr int relaxation_limit = 40;  // iterations
+
 /// Whether an outer iteration had its step cut very short.
 bool creeps(const IterationRecord& record) {
   constexpr double short_step = 0.1;
@@ -123,6 +125,7 @@ double NewtonRun::smallest_sine(const Coordinates& x) const {
 /// is within the limits and its solution is not, the mesh is kept.
 void NewtonRun::end_path(Coordinates& x, double reached) {
   Coordinates end_of_path = x;
+  leave_path();
   converge(x, reached);
   const std::string broken = fault(x);
   if (broken.empty()) return;
@@ -161,6 +164,7 @@ void NewtonRun::move_along_path(const Motion& motion, const Coordinates& rest, C
     set_target_share(0);
     path.change_problem = [this](double share) { set_target_share(share); };
   }
+  begin_path();
   follow_path(path, least_sine, x);
   result.linear_solver = linear().description();
   if (result.fraction_reached < 1 && !result.contact && result.limited_by.empty())
@@ -222,7 +226,7 @@ void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x)
     ended = true;
     go_back(path, good, reached, x);
   }
-  if (reached >= 1 || ended) end_path(x, reached);
+  if (reached >= 1 || ended || on_path()) end_path(x, reached);
 }
 
 /// Returns to an earlier mesh of the path.
@@ -248,14 +252,42 @@ void NewtonRun::move_in_steps(const Motion& motion, const Coordinates& rest, int
 }
 
 void VariationalRun::relax(Coordinates& x, double fraction, const RunRecorder::Enough& enough) {
-  constexpr double far = 1.5;  // knees
-  constexpr int limit = 40;
-  if (asked_for().exponent <= 2) return;
-  const bool raised = energy().penalty().knee != asked_for().knee;
-  if (!raised && energy().worst_distortion(x) < far * knee()) return;
-  change_penalty({2, 0});
-  recorder().iterate(newton(), x, Stage::relax, fraction, limit, enough);
+  const double far = energy().has_guards() ? 3 : 1.5;  // knees
+  if (asked_for().exponent <= 2 || on_path_) return;
+  const bool is_as_asked = energy().penalty() == asked_for();
+  if (is_as_asked && strain(x) < far) return;
+  change_penalty(gentle());
+  recorder().iterate(newton(), x, Stage::relax, fraction, relaxation_limit, enough);
   change_penalty(fitting(x));
+  if (energy().has_guards()) lower_limits(x, fraction, enough);
+}
+
+/// Lowers raised limits of guards step by step to those asked for: unlike a raised knee, they are
+/// never left raised, because the solution must not depend on the path to it.
+void VariationalRun::lower_limits(Coordinates& x, double fraction,
+                                  const RunRecorder::Enough& enough) {
+  constexpr double step = 1.4;
+  PenaltyOptions penalty = energy().penalty();
+  while (penalty.raise > asked_for().raise) {
+    recorder().iterate(newton(), x, Stage::relax, fraction, relaxation_limit, enough);
+    penalty.raise = std::max(asked_for().raise, std::min(penalty.raise, strain(x)) / step);
+    change_penalty(penalty);
+  }
+}
+
+PenaltyOptions VariationalRun::gentle() {
+  if (!energy().has_guards()) return {2, 0};
+  // Without any guard, cells of a long path degenerate too far to be mended at its end.
+  constexpr double share = 0.1;
+  PenaltyOptions penalty = asked_for();
+  penalty.guard *= share;
+  return penalty;
+}
+
+void VariationalRun::begin_path() {
+  if (!energy().has_guards()) return;
+  on_path_ = true;
+  change_penalty(gentle());
 }
 
 const VariationalForm& VariationalRun::energy() {
@@ -284,32 +316,31 @@ void VariationalRun::change_penalty(const PenaltyOptions& penalty) {
 }
 
 PenaltyOptions VariationalRun::fitting(const Coordinates& x) {
-  constexpr double beyond = 2;  // knees
+  const double beyond = energy().has_guards() ? 4 : 2;  // knees
   PenaltyOptions penalty = asked_for();
   if (penalty.knee > 0) {
-    const double worst = energy().worst_distortion(x);
-    while (worst > beyond * penalty.knee && std::isfinite(worst)) penalty.knee *= 2;
+    const double worst = strain(x);
+    while (worst > beyond * penalty.raise && std::isfinite(worst)) penalty.raise *= 2;
   }
   return penalty;
 }
 
 bool VariationalRun::sharpen(const Coordinates& x) {
-  if (energy().penalty().knee == asked_for().knee) return false;
+  if (energy().penalty().raise == 1) return false;
   const PenaltyOptions penalty = fitting(x);
-  if (penalty.knee >= energy().penalty().knee) return false;
+  if (penalty.raise >= energy().penalty().raise) return false;
   change_penalty(penalty);
   return true;
 }
 
-double VariationalRun::knee() {
+double VariationalRun::strain(const Coordinates& x) {
   constexpr double without = 2;  // distortion from which a pure power is steep
-  const double knee = energy().penalty().knee;
-  return knee > 0 ? knee : without;
+  return energy().strain(x, asked_for().knee > 0 ? asked_for().knee : without);
 }
 
 bool VariationalRun::strained(const Coordinates& x) {
   constexpr double beyond = 3;  // knees
-  return asked_for().knee > 0 && energy().worst_distortion(x) > beyond * knee();
+  return !on_path_ && asked_for().knee > 0 && strain(x) > beyond * energy().penalty().raise;
 }
 
 namespace {

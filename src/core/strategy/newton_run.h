@@ -50,6 +50,12 @@ class NewtonRun {
   virtual bool sharpen(const Coordinates& /*x*/) { return false; }
   /// Whether a mesh on the path has left the range for which relax() prepared Newton's method.
   virtual bool strained(const Coordinates& /*x*/) { return false; }
+  /// Called before a path is followed, and when it is left: the path may lead along the solutions
+  /// of an easier problem.
+  virtual void begin_path() {}
+  virtual void leave_path() {}
+  /// Whether begin_path() made the problem easier and leave_path() was not called yet.
+  virtual bool on_path() const { return false; }
   /// Whether vary_targets() has an effect.
   virtual bool has_targets() const { return false; }
   /// Uses the shapes of a valid mesh as the targets at share 0 of a path, so that the mesh is the
@@ -114,11 +120,19 @@ class VariationalRun final : public NewtonRun {
   /// The knee was doubled for a mesh that was no solution yet: a solution may permit less.
   bool sharpen(const Coordinates& x) override;
   bool strained(const Coordinates& x) override;
+  /// Guards come into effect at the end of a path.
+  void begin_path() override;
+  void leave_path() override { on_path_ = false; }
+  bool on_path() const override { return on_path_; }
 
   const PenaltyOptions& asked_for() { return workspace().options().penalty; }
-  double knee();
+  /// Largest distortion in knees: VariationalForm::strain().
+  double strain(const Coordinates& x);
   /// The requested penalty, with the knee raised so that no element is far beyond it.
   PenaltyOptions fitting(const Coordinates& x);
+  /// The penalty far from a solution, and on a path.
+  PenaltyOptions gentle();
+  void lower_limits(Coordinates& x, double fraction, const RunRecorder::Enough& enough);
   /// Switches Newton's method to the energy with this penalty.
   void change_penalty(const PenaltyOptions& penalty);
 
@@ -126,6 +140,7 @@ class VariationalRun final : public NewtonRun {
 
   std::shared_ptr<const VariationalForm> energy_;  // minimised by newton(); null: not made yet
   std::unique_ptr<const TargetPath> target_path_;
+  bool on_path_ = false;
 };
 
 /// Moves the boundary of x and smooths by the paper's outer iteration. increments: number of

@@ -103,6 +103,7 @@ struct RunOptions {
 /// How a smoothing run ended.
 struct RunOutcome {
   bool converged = false;
+  bool nothing_moves = false;  ///< a motion that moves no node: the mesh is as it was given
   double residual = 0;
   bool out_of_iterations = false;  ///< ended by the limit of outer iterations
   double fraction_reached = 1;     ///< share of the boundary motion in the result

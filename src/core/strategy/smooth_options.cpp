@@ -38,26 +38,33 @@ std::vector<ChoiceItem> linear_solvers(bool symmetric) {
 }
 
 Option targets_option(SmoothOptions& o) {
-  return {
-      .key = "targets",
-      .value = SharesOption{{{"auto", "As the mesh is made",
-                              "regular elements where the mesh is isotropic, each element's own "
-                              "shape where it is stretched like its neighbours",
-                              &o.targets.automatic},
-                             {"element", "Make regular",
-                              "equilateral triangles, square corners everywhere; for isotropic "
-                              "meshes only",
-                              &o.targets.element},
-                             {"vcv", "VCV stencils",
-                              "the virtual control volumes, with their angles and edge lengths",
-                              &o.targets.vcv},
-                             {"rest", "Keep current shapes",
-                              "each element's own shape before the motion, to keep a graded or "
-                              "stretched mesh as it is",
-                              &o.targets.rest}}},
-      .label = "Targets",
-      .help = "Variational: shapes that the elements are driven towards, alone or blended",
-      .applies = is_variational(o)};
+  return {.key = "targets",
+          .value =
+              SharesOption{
+                  .parts = {{"auto", "As the mesh is made",
+                             "regular elements where the mesh is isotropic, each element's own "
+                             "shape where it is stretched like its neighbours",
+                             &o.targets.automatic},
+                            {"element", "Make regular",
+                             "equilateral triangles, square corners everywhere; for isotropic "
+                             "meshes only",
+                             &o.targets.element},
+                            {"vcv", "VCV stencils",
+                             "the virtual control volumes, with their angles and edge lengths",
+                             &o.targets.vcv},
+                            {"rest", "Keep current shapes",
+                             "each element's own shape before the motion, to keep a graded or "
+                             "stretched mesh as it is",
+                             &o.targets.rest},
+                            {"keep", "Keep the mesh as it is",
+                             "each element's own shape in the reference mesh, and guards that keep "
+                             "the worst elements from becoming worse",
+                             &o.targets.keep}},
+                  .none = {"default", "As the command needs",
+                           "keep for motions, auto for everything else"}},
+          .label = "Targets",
+          .help = "Variational: shapes that the elements are driven towards, alone or blended",
+          .applies = is_variational(o)};
 }
 
 /// Rows for volume meshes. Forms, which are for plane meshes, show them only if they were set.

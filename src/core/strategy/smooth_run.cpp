@@ -223,13 +223,16 @@ std::optional<double> stretched(SmoothingWorkspace& workspace) {
 
 }  // namespace
 
-SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& options, Coordinates& x,
+SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& asked, Coordinates& x,
                              const RunOptions& run) {
   SmoothResult result;
+  SmoothOptions options = asked;
+  options.targets = options.targets.or_else(TargetBlend::automatically());
   SolverCache own;
   SmoothingWorkspace& workspace = (run.cache ? *run.cache : own).workspace();
   CurveRows none;
-  workspace.prepare(state, classes_of(state, nullptr, options, run, result, none), options);
+  workspace.prepare(state, classes_of(state, nullptr, options, run, result, none), options,
+                    options.targets.keep > 0 ? state.reference : nullptr);
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes, x);
   RunRecorder recorder(run.monitor, result, budget(options));
   smooth_at_end(state, workspace, recorder, x);
@@ -242,8 +245,10 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& option
 }
 
 SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const MotionOptions& how,
-                           const SmoothOptions& options, Coordinates& x, const RunOptions& run) {
+                           const SmoothOptions& asked, Coordinates& x, const RunOptions& run) {
   SmoothResult result;
+  SmoothOptions options = asked;
+  options.targets = options.targets.or_else(TargetBlend::keeping());
   if (!how.smooth_after) {
     bodies.apply(state.mesh.coordinates, 1, x);
     result.converged = true;
@@ -253,7 +258,8 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
   SolverCache own;
   SmoothingWorkspace& workspace = (run.cache ? *run.cache : own).workspace();
   CurveRows rows;
-  workspace.prepare(state, classes_of(state, &bodies, options, run, result, rows), options);
+  workspace.prepare(state, classes_of(state, &bodies, options, run, result, rows), options,
+                    state.reference);
   const auto with_held_rows = rows.empty() ? nullptr : with_rows(bodies, rows);
   const Motion& motion = with_held_rows ? *with_held_rows : bodies;
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes, x);
@@ -437,6 +443,7 @@ SmoothResult smooth_surface_first(const MeshState& state, const SmoothOptions& o
   const Coordinates there = smooth_surface(mesh, boundary, options, run, result);
   const bool surface_converged = result.converged;
   SmoothOptions held = options;
+  held.targets = options.targets.or_else(TargetBlend::automatically());
   held.slide = {};
   held.slide.hold_nodes = slide.hold_nodes;
   const AlongBoundary motion(boundary, mesh.coordinates, there);

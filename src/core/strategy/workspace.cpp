@@ -35,7 +35,8 @@ bool same_unknowns(const std::shared_ptr<const NodeClasses>& a, const NodeClasse
 
 void SmoothingWorkspace::prepare(const MeshState& state,
                                  const std::shared_ptr<const NodeClasses>& classes,
-                                 const SmoothOptions& options) {
+                                 const SmoothOptions& options,
+                                 const std::shared_ptr<const Coordinates>& reference) {
   run_ = {};
   if (!classes_ || classes_->shared_topology() != classes->shared_topology())
     made_ = {};  // frees memory: the keys have changed
@@ -44,12 +45,12 @@ void SmoothingWorkspace::prepare(const MeshState& state,
   options_ = options;
   vcvs_ = state.vcvs;
   roles_ = state.roles;
-  const Coordinates& given = state.mesh.coordinates;
+  const Coordinates& given = reference ? *reference : state.mesh.coordinates;
   const bool needs_given = in_space() || refers_to_given(options.targets);
   if (!needs_given)
     given_ = nullptr;
   else if (!given_ || !(*given_ == given))
-    given_ = std::make_shared<const Coordinates>(given);
+    given_ = reference ? reference : std::make_shared<const Coordinates>(given);
 }
 
 bool SmoothingWorkspace::guard(std::span<const Index> elements) {

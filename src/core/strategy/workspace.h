@@ -78,12 +78,13 @@ VolumeVcvOptions volume_vcv_options(const SmoothOptions& options);
 /// moving nodes changes.
 class SmoothingWorkspace {
  public:
-  /// Begins a run with its inputs. state: the targets `auto` and `rest` and the VCVs of a volume
-  /// mesh refer to its mesh, which is copied if needed. The VCVs, of the kind in the options, are
-  /// made when an equation first needs them; those given by hand come from the state. classes:
-  /// which nodes move.
+  /// Begins a run with its inputs. state: the targets and the VCVs of a volume mesh refer to its
+  /// mesh, which is copied if needed, or to `reference` if that is not null. The VCVs, of the kind
+  /// in the options, are made when an equation first needs them; those given by hand come from the
+  /// state. classes: which nodes move.
   void prepare(const MeshState& state, const std::shared_ptr<const NodeClasses>& classes,
-               const SmoothOptions& options);
+               const SmoothOptions& options,
+               const std::shared_ptr<const Coordinates>& reference = nullptr);
 
   /// Until the next prepare(), multiplies the weight of these elements under `auto` targets by four
   /// for each time they are listed.

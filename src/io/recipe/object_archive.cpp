@@ -275,8 +275,9 @@ namespace {
 
 /// Shares that are not named become 0, as on the command line.
 void read_shares(const json& value, const std::string& path, const SharesOption& shares) {
+  shares.clear();
+  if (shares.may_be_none() && value == shares.none.name) return;
   ObjectReader reader(value, path);
-  for (const auto& part : shares.parts) *part.share = 0;
   for (const auto& part : shares.parts) reader.field(std::string(part.name).c_str(), *part.share);
   reader.finish();
 }
@@ -329,6 +330,7 @@ json write_value(const OptionValue& option) {
         if constexpr (std::is_same_v<Kind, ChoiceOption>) {
           return of.name();
         } else if constexpr (std::is_same_v<Kind, SharesOption>) {
+          if (of.may_be_none() && of.is_none()) return of.none.name;
           json parts = json::object();
           for (const auto& part : of.parts) parts[std::string(part.name)] = *part.share;
           return parts;

@@ -84,8 +84,9 @@ TEST_CASE("isotropic triangles become regular; those stretched alike keep their 
   CHECK(kept.stretched == 1);
   CHECK(std::ranges::all_of(kept.share, [](double share) { return share == 1; }));
   const VirtualControlVolumes vcv(stretched.topology);
-  const VariationalWinslow energy(free_interior(stretched.topology),
-                                  TargetShapes::build(vcv, {}, &stretched.coordinates, 1), {}, 1);
+  const VariationalWinslow energy(
+      free_interior(stretched.topology),
+      TargetShapes::build(vcv, TargetBlend::automatically(), &stretched.coordinates, 1), {}, 1);
   CHECK(energy.worst_distortion(stretched.coordinates) == doctest::Approx(1));
 }
 
@@ -93,8 +94,9 @@ TEST_CASE("quadrilaterals keep their shapes, stretched or not") {
   for (const double factor : {1.0, 1.5, 1000.0}) {
     const Mesh mesh = drawn_out(square(10, Cells::quads), factor);
     const VirtualControlVolumes vcv(mesh.topology);
-    const VariationalWinslow energy(free_interior(mesh.topology),
-                                    TargetShapes::build(vcv, {}, &mesh.coordinates, 1), {}, 1);
+    const VariationalWinslow energy(
+        free_interior(mesh.topology),
+        TargetShapes::build(vcv, TargetBlend::automatically(), &mesh.coordinates, 1), {}, 1);
     CHECK(energy.worst_distortion(mesh.coordinates) == doctest::Approx(1));
     CHECK(energy.shapes().stretched == (factor > 2 ? 1 : 0));
   }

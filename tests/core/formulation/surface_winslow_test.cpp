@@ -150,8 +150,9 @@ TEST_CASE("surface form: on a plane surface it is the form of the plane") {
     MeshData data = annulus(14, 4, 1.3, cells);
     data.coordinates = plane.coordinates;
     const Mesh mesh = make_mesh(lifted(data, embed));
-    for (const TargetBlend blend : {TargetBlend{}, TargetBlend::regular(), TargetBlend{0, 0, 1, 0},
-                                    TargetBlend{0, 1, 0, 1}}) {
+    for (const TargetBlend blend :
+         {TargetBlend::automatically(), TargetBlend::keeping(), TargetBlend::regular(),
+          TargetBlend{0, 0, 1, 0}, TargetBlend{0, 1, 0, 1}}) {
       const auto [state, classes, form] = form_on(mesh, plane_shape(shift, turn.col(2)), blend);
       const auto flat_classes = std::make_shared<const NodeClasses>(plane.topology);
       const VirtualControlVolumes vcv(plane.topology);

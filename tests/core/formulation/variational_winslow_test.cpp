@@ -88,7 +88,7 @@ const std::array<PenaltyOptions, 5> penalties{PenaltyOptions{8, 1.78}, PenaltyOp
 /// What a kernel makes of one triangle.
 std::array<double, 4 * distortion::TriangleSum::size> hessian_of(
     const std::array<std::array<double, 2>, 3>& corner, const ShapeTerm& term,
-    const distortion::PenaltyConstants& penalty) {
+    const distortion::PenaltyConstants& penalty, double inverse_limit = 0) {
   const std::array<Index, 3> nodes{0, 1, 2};
   const std::array<Index, 2> offsets{0, 1};
   const Index triangle = 0;
@@ -97,6 +97,7 @@ std::array<double, 4 * distortion::TriangleSum::size> hessian_of(
   data.nodes = nodes.data();
   data.offsets = offsets.data();
   data.terms = &term.ab;
+  if (inverse_limit > 0) data.inverse_limits = &inverse_limit;
   data.penalty = penalty;
   std::array<double, 4 * distortion::TriangleSum::size> out{};
   distortion::fastest_kernel<2>().sum(data, &triangle, 1, 0, out.data());
@@ -194,7 +195,10 @@ TEST_CASE("a triangle's projected Hessian is its Hessian without the negative ei
     const distortion::Corner2 q(corner[0].data(), corner[1].data(), corner[2].data());
     if (q.d < 0.05) continue;
     const PenaltyOptions options = penalties[at(random.index(5))];
-    const distortion::PenaltyFunction psi(options);
+    // A guard within its limit, one beyond it, or no guard.
+    const double inverse_limit =
+        options.knee > 0 ? std::array<double, 3>{0, 0.01, 1}[at(random.index(3))] : 0;
+    const distortion::PenaltyFunction psi(options, inverse_limit > 0);
     // The projection belongs to J = [u v] root, so it is compared there: in a target whose edges
     // are orthonormal, J is the pair of edges itself.
     const ShapeTerm unit{1, 1, 0, 1};
@@ -202,9 +206,9 @@ TEST_CASE("a triangle's projected Hessian is its Hessian without the negative ei
     const auto fill = [&](Eigen::Matrix4d& out, bool project) {
       std::array<double, 4 * distortion::TriangleSum::size> blocks{};
       if (project) {
-        distortion::add_projected_blocks(q, unit, psi, blocks.data());
+        distortion::add_projected_blocks(q, unit, psi, inverse_limit, blocks.data());
       } else {
-        blocks = hessian_of(corner, unit, psi.constants());
+        blocks = hessian_of(corner, unit, psi.constants(), inverse_limit);
       }
       using Block = Eigen::Matrix<double, 2, 2, Eigen::RowMajor>;
       const Eigen::Map<const Block> ab(&blocks[distortion::TriangleSum::ab]);

@@ -124,7 +124,8 @@ TEST_CASE("in space the gradient is that of the energy, the Hessian that of the 
 
 TEST_CASE("in space residual and linearisation agree, and so do one and two threads") {
   const Mesh mesh = shaken_cube(Volumes::mixed, 0.02);
-  const auto targets = volume_targets(*mesh.topology, nullptr, {}, &mesh.coordinates, 1);
+  const auto targets =
+      volume_targets(*mesh.topology, nullptr, TargetBlend::automatically(), &mesh.coordinates, 1);
   const VolumeWinslow one(free_interior(mesh.topology), targets, {}, 1),
       two(free_interior(mesh.topology), targets, {}, 2);
   std::vector<double> r1(one.unknowns()), r2(r1), r3(r1);
@@ -213,7 +214,8 @@ TEST_CASE("both versions of the loops over tetrahedra give the same bits") {
   const distortion::TetrahedronKernel* fast = distortion::avx2_kernel<3>();
   if (!fast) return;
   const Mesh mesh = shaken_cube(Volumes::tetrahedra);
-  const auto targets = volume_targets(*mesh.topology, nullptr, {}, &mesh.coordinates, 1);
+  const auto targets =
+      volume_targets(*mesh.topology, nullptr, TargetBlend::automatically(), &mesh.coordinates, 1);
   const auto count = static_cast<Index>(targets.cells.size());
   std::vector<double> sizes(targets.cells.size(), 0.01);
   std::vector<Index> list(targets.cells.size());

@@ -38,6 +38,7 @@ struct Inputs {
 Inputs inputs_of(const MeshState& state) {
   Inputs inputs{state, free_interior(state.mesh.topology), {}};
   inputs.options.threads = 1;
+  inputs.options.targets = TargetBlend::automatically();
   return inputs;
 }
 Inputs plane_inputs() { return inputs_of(make_state(make_mesh(square(6, Cells::triangles)))); }
@@ -329,6 +330,7 @@ TEST_CASE("runs that follow one another make patterns, targets and linear solver
   const MeshState state = make_state(make_mesh(annulus(24, 6, 1.2, Cells::mixed)));
   SmoothOptions options;
   options.threads = 1;
+  options.targets = TargetBlend::automatically();  // also for the motions
   const auto smooth = [&] {
     Coordinates x = state.mesh.coordinates;
     CHECK(smooth_interior(state, options, x, run).converged);

@@ -32,7 +32,7 @@ std::string tip_of(const Option& option) {
     for (const ChoiceItem& item : choice->items())
       if (item.applies) tip += item_tip(item.label, item.help);
   } else if (const auto* shares = std::get_if<SharesOption>(&option.value)) {
-    for (const auto& part : shares->parts) tip += item_tip(part.label, part.help);
+    for (const auto& part : shares->choices()) tip += item_tip(part.label, part.help);
   }
   return tip;
 }
@@ -118,16 +118,17 @@ class Field {
 
   /// Chooses a single part; a blend of several is shown, but cannot be chosen here.
   bool operator()(const SharesOption& shares) const {
+    const auto choices = shares.choices();
     std::vector<std::string> labels;
-    std::size_t chosen = shares.parts.size();
-    for (std::size_t i = 0; i < shares.parts.size(); ++i) {
-      labels.emplace_back(shares.parts[i].label);
-      if (alone(shares, i)) chosen = i;
+    std::size_t chosen = choices.size();
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      labels.emplace_back(choices[i].label);
+      if (alone(shares, choices[i])) chosen = i;
     }
     if (chosen == labels.size()) labels.emplace_back("Blend");
-    if (!combo(id_, labels, chosen, tip_) || chosen >= shares.parts.size()) return false;
-    for (const auto& part : shares.parts) *part.share = 0;
-    *shares.parts[chosen].share = 1;
+    if (!combo(id_, labels, chosen, tip_) || chosen >= choices.size()) return false;
+    shares.clear();
+    if (choices[chosen].share) *choices[chosen].share = 1;
     return true;
   }
 
@@ -142,10 +143,10 @@ class Field {
     return true;
   }
 
-  static bool alone(const SharesOption& shares, std::size_t part) {
-    for (std::size_t i = 0; i < shares.parts.size(); ++i)
-      if (*shares.parts[i].share != (i == part ? 1 : 0)) return false;
-    return true;
+  static bool alone(const SharesOption& shares, const SharesOption::Part& choice) {
+    return std::ranges::all_of(shares.parts, [&](const auto& part) {
+      return *part.share == (part.share == choice.share ? 1 : 0);
+    });
   }
 
   bool components(GivenVector& vector, int otherwise) const {

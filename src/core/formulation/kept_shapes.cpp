@@ -1,0 +1,62 @@
+#include "core/formulation/kept_shapes.h"
+
+namespace winslow {
+
+namespace {
+
+/// Volume of the regular element with edges of length 1 (in the plane: area), over that of the
+/// regular simplex.
+double simplices_in(ElementType type) {
+  constexpr double root_2 = 1.41421356237309505, root_3 = 1.73205080756887729;
+  switch (type) {
+    case ElementType::quadrilateral:
+      return 4 / root_3;
+    case ElementType::pyramid:
+      return 2;
+    case ElementType::prism:
+      return 1.5 * root_2 * root_3;
+    case ElementType::hexahedron:
+      return 6 * root_2;
+    default:
+      return 1;
+  }
+}
+
+/// stretch: logarithm of the aspect ratio of the own shape.
+double weight_by_stretch(double stretch) {
+  constexpr double from_aspect = 4, most = 300;
+  return std::clamp(std::exp(stretch) / from_aspect, 1.0, most);
+}
+
+/// distortion: f of the own shape, from the regular one.
+double guard_weight(double distortion) {
+  constexpr double from = 1.5, power = 8, most = 100;
+  return std::min(most, std::pow(std::max(1.0, distortion / from), power));
+}
+
+double inverse_limit(double distortion) {
+  constexpr double least = 1.4;
+  return 1 / std::max(least, distortion);
+}
+
+}  // namespace
+
+KeptTerms<2> kept_terms(ElementType type, const TargetMetric& regular, const TargetMetric& own,
+                        double weight) {
+  const TargetMetric straight = with_lengths_of(own, regular);
+  const double distortion = std::cosh(stretch_between(straight, own));
+  weight *= simplices_in(type) * weight_by_stretch(stretch_between(regular, own));
+  return {own.term(weight), straight.term(weight * guard_weight(distortion)),
+          inverse_limit(distortion)};
+}
+
+KeptTerms<3> kept_terms(ElementType type, const Eigen::Matrix3d& regular,
+                        const Eigen::Matrix3d& own, double weight) {
+  const Eigen::Matrix3d straight = with_lengths_of(own, regular);
+  const double distortion = (straight * own.inverse()).trace() / 3;
+  weight *= simplices_in(type) * weight_by_stretch(stretch_between(regular, own));
+  return {volume_term(own, weight), volume_term(straight, weight * guard_weight(distortion)),
+          inverse_limit(distortion)};
+}
+
+}  // namespace winslow
