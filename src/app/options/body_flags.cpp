@@ -76,6 +76,20 @@ std::vector<std::string> names_of_body(const std::string& word, const std::strin
   return names;
 }
 
+/// Reads the words of all --body; an empty word stands between two of them.
+std::vector<MovingBody> parse_bodies(const std::vector<std::string>& given) {
+  std::vector<std::vector<std::string>> lists(1);
+  for (const std::string& word : given) {
+    if (!word.empty())
+      lists.back().push_back(word);
+    else if (!lists.back().empty())
+      lists.emplace_back();
+  }
+  std::vector<MovingBody> bodies;
+  std::ranges::transform(lists, std::back_inserter(bodies), parse_body);
+  return bodies;
+}
+
 /// Sets what a word "KEY=VALUE" gives; returns its key.
 std::string read_setting(const std::string& word, const OptionTable& table,
                          const std::string& where) {
@@ -97,8 +111,7 @@ std::string read_setting(const std::string& word, const OptionTable& table,
 }  // namespace
 
 MovingBody parse_body(const std::vector<std::string>& words) {
-  if (words.empty() || words.front().empty())
-    throw UsageError(std::string("--body: expected ") + form);
+  if (words.empty()) throw UsageError(std::string("--body: expected ") + form);
   const std::string& first = words.front();
   const std::string where = "--body " + first;
   const std::vector<std::string> keys = motion_keys();
@@ -124,21 +137,20 @@ void add_body_flag(CLI::App& app, std::vector<MovingBody>& bodies) {
   std::vector<std::string> words = motion_keys();
   const std::string keys = join(words);
   for (std::string& word : words) word += '=';
-  using Lists = std::vector<std::vector<std::string>>;
-  app.add_option_function<Lists>(
-         "--body",
-         [&bodies](const Lists& given) {
-           bodies.clear();
-           std::ranges::transform(given, std::back_inserter(bodies), parse_body);
-         },
-         "A body with a motion of its own; given several times, all move together, each along its "
-         "own arc: --body slat rotate=12 --body flap,tab rotate=-20 pivot=0.8,0 (keys: " +
-             keys +
-             ", as the options of these names, which are of a single body; vectors with commas)")
-      ->check(words_to_offer(words))
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->option_text(form)
-      ->group("Motion");
+  CLI::Option* flag =
+      app.add_option_function<std::vector<std::string>>(
+             "--body",
+             [&bodies](const std::vector<std::string>& given) { bodies = parse_bodies(given); },
+             "A body with a motion of its own; given several times, all move together, each along "
+             "its own arc: --body slat rotate=12 --body flap,tab rotate=-20 pivot=0.8,0 (keys: " +
+                 keys +
+                 ", as the options of these names, which are of a single body; vectors with "
+                 "commas)")
+          ->check(words_to_offer(words))
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+          ->option_text(form)
+          ->group("Motion");
+  flag->inject_separator();
 }
 
 void refuse_single_body_flags(const CLI::App& app) {

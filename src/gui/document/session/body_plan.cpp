@@ -22,6 +22,12 @@ const RigidMotion* BodyPlan::find(const std::vector<std::string>& markers) const
   return body == bodies_.end() ? nullptr : &body->motion;
 }
 
+bool BodyPlan::contains(const std::string& marker) const {
+  return std::ranges::any_of(bodies_, [&](const MovingBody& body) {
+    return std::ranges::find(body.markers, marker) != body.markers.end();
+  });
+}
+
 bool BodyPlan::moves() const {
   return std::ranges::any_of(bodies_,
                              [](const MovingBody& body) { return winslow::moves(body.motion); });

@@ -15,6 +15,8 @@ class BodyPlan {
   bool empty() const { return bodies_.empty(); }
   /// The motion listed for exactly these markers; null: none.
   const RigidMotion* find(const std::vector<std::string>& markers) const;
+  /// True if the marker belongs to one of the bodies.
+  bool contains(const std::string& marker) const;
   /// True if any of the bodies moves.
   bool moves() const;
   /// Why the bodies cannot move together; empty: they can.

@@ -130,6 +130,8 @@ TEST_CASE("a marker is in one listed body, and outlines show where the bodies go
   CHECK(parts.plan().bodies()[0].markers == std::vector<std::string>{"right"});
   CHECK(parts.plan().find({"left"})->translate == Vec2(0, 0.75));
   CHECK(parts.plan().find({"left", "right"}) == nullptr);
+  CHECK(parts.plan().contains("right"));
+  CHECK_FALSE(parts.plan().contains("outer"));
   CHECK(parts.plan().outline().size() == 32);
   CHECK(highest() == doctest::Approx(1.25));
   parts.list({"left"}, {});
