@@ -52,7 +52,7 @@ void draw_buttons(const PanelContext& context, bool free) {
 std::string motion_summary(const RigidMotion& motion, bool in_space) {
   std::string text;
   if (motion.rotate != 0) {
-    text = "turns by " + short_number(motion.rotate) + "\xC2\xB0 about " +
+    text = short_number(motion.rotate) + "\xC2\xB0 about " +
            (motion.pivot ? place(*motion.pivot, in_space) : "its centre");
     if (in_space) text += ", axis " + place(axis_of(motion), true);
   }

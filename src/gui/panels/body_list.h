@@ -8,7 +8,7 @@ namespace winslow::gui {
 /// out, and buttons carry all motions out or clear the list. Draws nothing while the list is empty.
 void draw_body_list(const PanelContext& context);
 
-/// "turns by 12\xC2\xB0 about (0.5, 0), moves by (0.1, 0)".
+/// "12\xC2\xB0 about (0.5, 0), moves by (0.1, 0)".
 std::string motion_summary(const RigidMotion& motion, bool in_space);
 
 }  // namespace winslow::gui
