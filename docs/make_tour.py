@@ -48,6 +48,9 @@ TOUR = {
                           "click tab/view\nlook 0.25 0.25 0.55\naway\nwait\n"),
     "motion": (NACA, "click 0.5 0\nfill motion/rotate -90\nfill motion/dx 2\nfill motion/dy -2\n"
                      "click motion/apply\naway\nlook 2.5 -2 1\nwait\n"),
+    "bodies": (WING, "click marker/slat\nfill motion/rotate 12\nclick motion/add_body\nclick marker/flap\n"
+                     "fill motion/rotate -20\nfill motion/pivot_x 0.848\nfill motion/pivot_y -0.036\n"
+                     "click motion/add_body\nlook 0.55 0 0.62\naway\nwait\n"),
     "solver": (NACA, "click menu/Edit\nwait 2\nclick menu/scramble\nwait\nkey Shift+N\naway\nwait\n"),
     "quality": (NACA, "click 0.5 0\nfill motion/rotate -40\nclick motion/apply\nwait\n"
                       "click tab/quality\naway\nwait\n"),

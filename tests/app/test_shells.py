@@ -102,6 +102,11 @@ class Shells(ProgramTest):
         self.winslow("convert", "ring.su2", "ring.msh", "--quiet")
         self.assertEqual(self.bash("winslow move ring.msh --hold-layers "), ["body", "farfield"])
         self.assertEqual(self.bash("winslow move --marker "), [""])
+        # A body has names, then keys.
+        self.assertEqual(self.bash("winslow move ring.su2 --body b"), ["body"])
+        self.assertEqual(self.bash("winslow move ring.su2 --body body "),
+                         ["rotate=", "axis=", "pivot=", "translate="])
+        self.assertEqual(self.bash("winslow move ring.su2 --body body rotate=5 p"), ["pivot="])
 
     def test_the_scripts_have_every_option_of_every_command(self):
         for command, flags in self.flags.items():

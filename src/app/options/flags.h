@@ -14,6 +14,8 @@ std::string suggest(std::string_view unknown, const std::vector<std::string>& kn
 
 /// "a, b, c".
 std::string join(const std::vector<std::string>& names);
+/// The parts of a text between separators, empty ones included.
+std::vector<std::string> split(const std::string& text, char separator);
 
 /// Accepts one of some names; the error for others lists the names and suggests the nearest.
 CLI::Validator one_of(std::vector<std::string> names);
@@ -100,8 +102,18 @@ void add_min_quality_flag(CLI::App& app, QualityFloor& floor);
 /// Declares --direct.
 void add_direct_flag(CLI::App& app, MotionOptions& options);
 
-/// Declares --marker, which may be given several times.
-void add_marker_flag(CLI::App& app, std::vector<std::string>& markers);
+/// Declares --marker, which may be given several times, and must be given once.
+CLI::Option* add_marker_flag(CLI::App& app, std::vector<std::string>& markers);
+
+/// Declares --body, given once for each of the bodies that move together. Throws UsageError during
+/// parsing.
+void add_body_flag(CLI::App& app, std::vector<MovingBody>& bodies);
+/// Reads the words after one --body: {"flap,tab", "rotate=12", "pivot=0.8,0"}. Keys are those of
+/// the option table of RigidMotion. Throws UsageError.
+MovingBody parse_body(const std::vector<std::string>& words);
+/// Throws UsageError if a flag of a single body was given together with --body: names the flags,
+/// and says what to write in their place.
+void refuse_single_body_flags(const CLI::App& app);
 
 /// Flags for the walls, heights and columns of layers.
 class LayerFlags {

@@ -11,17 +11,6 @@ namespace winslow::app {
 
 namespace {
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (;;) {
-    const std::size_t end = text.find(separator, begin);
-    parts.push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
-    if (end == std::string::npos) return parts;
-    begin = end + 1;
-  }
-}
-
 /// Parses "KEY=NUMBER,KEY=NUMBER" and calls set(key, number) for each; set returns whether the key
 /// is known.
 template <class Set>

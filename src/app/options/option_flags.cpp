@@ -35,6 +35,17 @@ std::string join(const std::vector<std::string>& names) {
   return list;
 }
 
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (;;) {
+    const std::size_t end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
+    if (end == std::string::npos) return parts;
+    begin = end + 1;
+  }
+}
+
 std::string suggest(std::string_view unknown, const std::vector<std::string>& known) {
   const std::string* nearest = nullptr;
   // Suggest only if at most half of the word is wrong.
@@ -331,8 +342,8 @@ void add_direct_flag(CLI::App& app, MotionOptions& options) {
       ->group("Motion");
 }
 
-void add_marker_flag(CLI::App& app, std::vector<std::string>& markers) {
-  app.add_option("--marker", markers, "Marker that moves; several move together")
+CLI::Option* add_marker_flag(CLI::App& app, std::vector<std::string>& markers) {
+  return app.add_option("--marker", markers, "Marker that moves; several move together")
       ->required()
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

@@ -78,6 +78,13 @@ constexpr std::string_view bash_engine = R"sh(_winslow() {
     case $kind in
       words) _winslow_offer "$words" ;;
       marker) _winslow_offer "$(_winslow_markers | sort -u)" ;;
+      body)
+        if ((given == 1)); then
+          _winslow_offer "$(_winslow_markers | sort -u)"
+        else
+          compopt -o nospace 2>/dev/null
+          _winslow_offer "$words"
+        fi ;;
       file) ;; # the shell's own names of files
       *) compopt +o default 2>/dev/null ;;
     esac
@@ -89,7 +96,7 @@ complete -o default -F _winslow winslow
 )sh";
 
 void print_bash_options(std::ostream& out, const ProgramOptions& program) {
-  constexpr std::array<const char*, 5> kinds{"none", "words", "marker", "file", "other"};
+  constexpr std::array<const char*, 6> kinds{"none", "words", "marker", "body", "file", "other"};
   // Flags grouped by their description.
   std::map<std::string, std::vector<std::string>> flags;
   for (const ProgramCommand& command : program.commands) {
@@ -146,6 +153,8 @@ std::string zsh_values(const ProgramOption& option) {
   if (option.kind == ValueKind::marker) action = "_winslow_markers";
   if (option.kind == ValueKind::file) action = "_files";
   const std::string value = option.positional ? option.names.front() : option.value;
+  if (option.kind == ValueKind::body)  // up to the next option
+    return ":NAME:_winslow_markers:*-*:KEY=VALUE:(" + joined(option.words) + ')';
   const std::string one = ':' + zsh_text(value.substr(0, value.find(" ["))) + ':' + action;
   constexpr int few = 4;
   std::string all;
@@ -201,6 +210,8 @@ std::string fish_option(const ProgramOption& option) {
   if (option.kind == ValueKind::other) text += " -x";
   if (option.kind == ValueKind::words) text += " -x -a " + fish_quoted(joined(option.words));
   if (option.kind == ValueKind::marker) text += " -x -a '(__winslow_markers)'";
+  if (option.kind == ValueKind::body)
+    text += " -x -a '(__winslow_markers) " + joined(option.words) + '\'';
   return text + " -d " + fish_quoted(brief(option.help));
 }
 

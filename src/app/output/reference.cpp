@@ -30,7 +30,8 @@ bool names_a_file(std::string_view value) {
 
 ValueKind kind_of(const ProgramOption& option) {
   if (option.most_values == 0) return ValueKind::none;
-  if (!option.words.empty()) return ValueKind::words;
+  if (!option.words.empty())
+    return option.value.starts_with("NAME[,") ? ValueKind::body : ValueKind::words;
   const std::string_view value =
       without_default(option.positional ? option.names.front() : option.value);
   if (names_a_file(value)) return ValueKind::file;

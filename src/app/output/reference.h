@@ -15,6 +15,7 @@ enum class ValueKind {
   none,    ///< no value: a switch
   words,   ///< one of some names
   marker,  ///< a name of a marker of the mesh
+  body,    ///< a name of a marker, then words such as "rotate="
   file,    ///< a file or a folder
   other    ///< a number, a title, ...
 };
@@ -29,7 +30,7 @@ struct ProgramOption {
   std::string group;                 ///< heading in the help
   ValueKind kind = ValueKind::none;  ///< kind of the values
   int most_values = 0;               ///< largest number of values
-  std::vector<std::string> words;    ///< for ValueKind::words
+  std::vector<std::string> words;    ///< for ValueKind::words and ValueKind::body
 };
 
 struct ProgramCommand {

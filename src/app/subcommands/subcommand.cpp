@@ -66,21 +66,35 @@ class TableSubcommand : public EditSubcommand<EditCommand> {
   }
 };
 
-/// Distinguishes a missing motion from a motion by 0, and can hold layers.
+/// One body by --marker and the options of its motion, or several by --body. Distinguishes a
+/// missing motion from a motion by 0.
 class MoveSubcommand : public EditSubcommand<MoveCommand> {
  public:
   explicit MoveSubcommand(CLI::App& program) : EditSubcommand(program) {
-    add_marker_flag(app(), command_.bodies.front().markers);
+    add_marker_flag(app(), command_.bodies.front().markers)->required(false);
     add_table_flags("Motion");
+    add_body_flag(app(), bodies_);
     add_common_flags();
   }
 
   ExitCode run() override {
+    if (!bodies_.empty()) {
+      refuse_single_body_flags(app());
+      command_.bodies = bodies_;
+      return EditSubcommand::run();
+    }
+    if (command_.bodies.front().markers.empty())
+      throw UsageError(
+          "nothing to move: name it by --marker NAME, or bodies with a motion each by "
+          "--body NAME rotate=DEG");
     if (app().count("--rotate") + app().count("--translate") == 0) {
       throw UsageError("nothing to do: give --rotate DEG, --translate DX DY, or both");
     }
     return EditSubcommand::run();
   }
+
+ private:
+  std::vector<MovingBody> bodies_;
 };
 
 class DeformSubcommand : public EditSubcommand<DeformCommand> {

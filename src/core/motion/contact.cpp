@@ -41,7 +41,8 @@ class ContactSearch {
       const double end = static_cast<double>(k + 1) / intervals;
       Positions to(*this, end);
       if (auto contact = within({begin, end}, from, to, all)) return contact;
-      if (!rigid_ && meeting_of_itself(to.x())) return refined(begin, end);
+      // Bodies that each keep their shape meet within().
+      if (!rigid_ && !several_bodies() && meeting_among(to.x(), all)) return refined(begin, end);
       from.swap(to);
     }
     return std::nullopt;
@@ -179,7 +180,7 @@ class ContactSearch {
                [&](const FacetNodes<D>& other, Index) { return judge(own, other); });
     }
     if (!rigid_) {
-      among_moving(rest_, [&](std::size_t e, std::size_t f) {
+      among_moving(rest_, all_moving(), [&](std::size_t e, std::size_t f) {
         return judge(outline_.moving.facets[e], outline_.moving.facets[f]);
       });
     }
@@ -216,17 +217,20 @@ class ContactSearch {
     return found;
   }
 
-  /// Calls `visit(e, f)` with pairs of moving facets near each other until it returns true.
+  /// Calls `visit(e, f)` with pairs of these moving facets near each other until it returns true.
   template <class Visit>
-  void among_moving(const Coordinates& x, const Visit& visit) const {
-    const auto& facets = outline_.moving.facets;
+  void among_moving(const Coordinates& x, std::span<const std::size_t> moving,
+                    const Visit& visit) const {
+    std::vector<FacetNodes<D>> facets;
+    facets.reserve(moving.size());
+    for (const std::size_t e : moving) facets.push_back(outline_.moving.facets[e]);
     const BoxTree<D> tree = tree_of(facets, x);
     bool found = false;
-    for (std::size_t e = 0; e < facets.size() && !found; ++e) {
-      tree.overlapping(box_of<D>(facet(facets[e], x)), [&](Index f) {
-        const auto k = static_cast<std::size_t>(f);
-        if (!found && k > e && move_apart(e, k) && eligible(facets[e], facets[k]))
-          found = visit(e, k);
+    for (std::size_t i = 0; i < facets.size() && !found; ++i) {
+      tree.overlapping(box_of<D>(facet(facets[i], x)), [&](Index item) {
+        const std::size_t j = at(item);
+        if (!found && j > i && move_apart(moving[i], moving[j]) && eligible(facets[i], facets[j]))
+          found = visit(moving[i], moving[j]);
       });
     }
   }
@@ -256,9 +260,11 @@ class ContactSearch {
     return pair;
   }
 
-  std::optional<EdgePair> meeting_of_itself(const Coordinates& x) const {
+  /// The first two of the given moving facets that meet.
+  std::optional<EdgePair> meeting_among(const Coordinates& x,
+                                        std::span<const std::size_t> moving) const {
     std::optional<EdgePair> pair;
-    among_moving(x, [&](std::size_t e, std::size_t f) {
+    among_moving(x, moving, [&](std::size_t e, std::size_t f) {
       pair = pair_if_meeting(x, e, outline_.moving.facets[f], outline_.moving.markers[f]);
       return pair.has_value();
     });
@@ -268,7 +274,7 @@ class ContactSearch {
   std::optional<EdgePair> meeting_at(double fraction) const {
     const Positions positions(*this, fraction);
     if (auto pair = meeting_of(positions, all_moving())) return pair;
-    return rigid_ ? std::nullopt : meeting_of_itself(positions.x());
+    return rigid_ ? std::nullopt : meeting_among(positions.x(), all_moving());
   }
 
   /// The swept box of a facet, from three positions: the arc extends beyond them by at most the
@@ -319,7 +325,7 @@ class ContactSearch {
     if (close.empty()) return std::nullopt;
     constexpr double shortest = 1.0 / 1024;
     if (interval.end - interval.begin <= shortest) {
-      if (!meeting_of(to, close) && !(several_bodies() && meeting_of_itself(to.x())))
+      if (!meeting_of(to, close) && !(several_bodies() && meeting_among(to.x(), close)))
         return std::nullopt;
       return refined(interval.begin, interval.end);
     }

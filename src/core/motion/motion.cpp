@@ -100,19 +100,27 @@ void require_together(const Topology& topology, const Coordinates& rest,
   std::ranges::set_intersection(motions[0]->nodes(), motions[1]->nodes(),
                                 std::back_inserter(shared));
   if (shared.empty()) return;
-  constexpr double relative = 1e-9;  // of rounding errors
-  const double least = relative * body_box(rest, motions[1]->nodes()).size().norm();
-  // Arcs that agree at four fractions are identical.
-  for (const double fraction : {0.25, 0.5, 0.75, 1.0}) {
-    Coordinates by_one = rest, by_other = rest;
+  double apart = 0;
+  Index worst = shared.front();
+  Coordinates by_one = rest, by_other = rest;
+  // At quarters a body that turns four times would be back where it was.
+  for (const double fraction : {0.1459, 0.2361, 0.3820, 0.5279, 0.7639, 0.9098, 1.0}) {
     motions[0]->apply(rest, fraction, by_one);
     motions[1]->apply(rest, fraction, by_other);
-    for (const Index node : shared)
-      if ((place_of(by_one, node) - place_of(by_other, node)).norm() > least)
-        throw UsageError("the markers " + marker_at(topology, bodies[0]->markers, node) + " and " +
-                         marker_at(topology, bodies[1]->markers, node) + " share node " +
-                         std::to_string(node) + ", which their motions take to different places");
+    for (const Index node : shared) {
+      const double here = (place_of(by_one, node) - place_of(by_other, node)).norm();
+      if (here <= apart) continue;
+      apart = here;
+      worst = node;
+    }
   }
+  constexpr double relative = 1e-9;  // of rounding errors
+  if (apart <= relative * body_box(rest, motions[1]->nodes()).size().norm()) return;
+  throw UsageError("the markers " + marker_at(topology, bodies[0]->markers, worst) + " and " +
+                   marker_at(topology, bodies[1]->markers, worst) + " share node " +
+                   std::to_string(worst) + ", which their motions take to different places, " +
+                   number_text(apart) +
+                   " apart: make them one body, or let both turn about that node");
 }
 
 }  // namespace

@@ -82,9 +82,9 @@ std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates&
                                     const std::vector<std::string>& markers,
                                     const DisplacementTable& table);
 
-/// Makes the simultaneous motion of bodies: at each fraction every body has completed this fraction
-/// of its own motion. Throws UsageError as above, for no body, for a marker of two bodies, and,
-/// naming the markers, for a node that two bodies share and would move to different positions.
+/// Makes the simultaneous motion of bodies: at each fraction every body has gone that far along its
+/// own arc. Throws UsageError as above, for no body, for a marker of two bodies, and, naming the
+/// markers, for a node that two bodies share and would take to different places on their way.
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     std::span<const MovingBody> bodies);
 

@@ -129,6 +129,60 @@ std::vector<UserCommand> moving_commands() {
   };
 }
 
+std::string without_list(const PanelContext& c) {
+  return c.session.selection().plan().empty() ? "No bodies are listed." : "";
+}
+
+/// Why the listed bodies cannot be moved.
+std::string list_that_stays(const PanelContext& c) {
+  const BodyPlan& plan = c.session.selection().plan();
+  if (!plan.moves()) return "None of the listed bodies has a motion yet.";
+  return plan.fault();
+}
+
+bool lists_selection(const PanelContext& c) {
+  const Selection& selection = c.session.selection();
+  return !selection.empty() && selection.plan().find(selection.names()) != nullptr;
+}
+
+/// Lists the selection with no motion yet; the panel's fields then change that motion.
+void list_selection(const PanelContext& c) {
+  const Selection& selection = c.session.selection();
+  RigidMotion none = motion_of(!c.session.in_space(), 0, Vec3(0, 0, 0), selection.space_pivot(),
+                               selection.space().axis());
+  none.pivot.reset();
+  c.emit(action::PlanBody{none});
+  c.emit(action::EditField{"motion/rotate"});
+}
+
+/// Bodies that move together, each by its own motion.
+std::vector<UserCommand> list_commands() {
+  return {
+      entry("list_body", "List the selection to move with others...", {},
+            "Bodies of the list move together, each by its own motion: type that of the selection, "
+            "then list others.",
+            list_selection,
+            {.words = "several bodies together simultaneous each own motion",
+             .blocked = first_of({selection_in_use,
+                                  [](const PanelContext& c) {
+                                    return lists_selection(c) ? "It is listed already." : "";
+                                  }}),
+             .serves = movable_meshes,
+             .starts_section = true}),
+      entry("list_apply", "Move the listed bodies together", {},
+            "All at the same time, each along its own arc, as one step of the history.",
+            emits(action::ApplyBodyPlan{}),
+            {.words = "several bodies simultaneous apply all",
+             .blocked = first_of({while_busy, without_list, list_that_stays}),
+             .serves = movable_meshes}),
+      entry("list_clear", "Clear the list of bodies", {}, "Nothing moves.",
+            emits(action::ClearBodyPlan{}),
+            {.words = "several bodies together empty",
+             .blocked = first_of({while_busy, without_list}),
+             .serves = movable_meshes}),
+  };
+}
+
 void select_all_bodies(const PanelContext& c) {
   std::vector<Index> all;
   for (const NamedBody& body : bodies(c))
@@ -200,7 +254,7 @@ std::vector<UserCommand> shape_commands() {
 
 std::vector<UserCommand> motion_commands() {
   std::vector<UserCommand> commands = moving_commands();
-  for (const auto& part : {selection_commands(), shape_commands()})
+  for (const auto& part : {list_commands(), selection_commands(), shape_commands()})
     commands.insert(commands.end(), part.begin(), part.end());
   return commands;
 }

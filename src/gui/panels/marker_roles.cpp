@@ -9,11 +9,12 @@ namespace winslow::gui {
 
 namespace {
 
-enum class Role { fixed, slides, periodic, moves };
-constexpr std::array words{"fixed", "slides", "periodic", "moves"};
+enum class Role { fixed, slides, periodic, listed, moves };
+constexpr std::array words{"fixed", "slides", "periodic", "listed", "moves"};
 
 Role role_of(const PanelContext& context, Index marker, const std::string& name) {
   if (context.session.selection().contains(marker)) return Role::moves;
+  if (context.session.selection().plan().contains(name)) return Role::listed;
   const SlideOptions& slide = context.session.solver_settings().smooth_options().slide;
   if (partner_of(slide, context.session.solver_settings().file_pairs(), name))
     return Role::periodic;
@@ -55,6 +56,8 @@ std::string tip_of(const PanelContext& context, Role role, const std::string& na
   switch (role) {
     case Role::moves:
       return name + " is selected: it moves.";
+    case Role::listed:
+      return name + " is in the list of bodies that move together.";
     case Role::slides:
       return name +
              " slides: while the mesh is smoothed its nodes move along the boundary, which keeps "
@@ -100,12 +103,13 @@ void draw_role(const PanelContext& context, Index marker, const ImVec2& min, con
   const std::string id = "marker_role/" + name;
   const bool pressed = ImGui::InvisibleButton(id.c_str(), ImVec2(max.x - min.x, max.y - min.y));
   ui::note(id);
-  const bool over = ImGui::IsItemHovered() && role != Role::moves;
+  const bool toggles = role != Role::moves && role != Role::listed;
+  const bool over = ImGui::IsItemHovered() && toggles;
   ui::tooltip(tip_of(context, role, name));
   // Open the same menu as a right click on the rest of the row.
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || (role == Role::periodic && pressed))
     context.emit(action::ShowContextMenu{PickedPlace{{}, {marker}, {}, {}}});
-  else if (pressed && role != Role::moves)
+  else if (pressed && toggles)
     toggle_sliding(context, name);
   draw_pill(context.theme, role, over, min, max);
 }

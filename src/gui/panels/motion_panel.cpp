@@ -1,6 +1,8 @@
 #include "gui/panels/panels.h"
 
 #include "core/motion/rigid_motion.h"
+#include "gui/base/text.h"
+#include "gui/panels/body_list.h"
 #include "gui/panels/forms/option_form.h"
 #include "gui/widgets/controls.h"
 
@@ -38,11 +40,12 @@ bool space_translation(Vec3& translate) {
   return entered;
 }
 
-bool usable(const RigidMotion& m) {
+bool sound(const RigidMotion& m) {
   const Vec3 axis = axis_of(m);
-  return moves(m) && std::isfinite(m.rotate) && m.translate.allFinite() &&
-         pivot_of(m).allFinite() && axis.allFinite() && axis.norm() > 0;
+  return std::isfinite(m.rotate) && m.translate.allFinite() && pivot_of(m).allFinite() &&
+         axis.allFinite() && axis.norm() > 0;
 }
+bool usable(const RigidMotion& m) { return moves(m) && sound(m); }
 
 /// Draws buttons that make the next click in the picture pick pivot and axis.
 void draw_sources(const PanelContext& context) {
@@ -220,45 +223,157 @@ void draw_quality_limits(const PanelContext& context) {
     context.edit(options);
 }
 
-/// Moves the selected bodies by numbers, and shows the numbers of a drag.
+/// True if the pivot is where commands without one have it, in the centre of what moves.
+bool turns_about_centre(const Session& session) {
+  const Selection& selection = session.selection();
+  return session.in_space() ? selection.space().source().from == PivotFrom::centre
+                            : selection.pivot_place() == PivotPlace::centre;
+}
+
+/// Puts the selection's pivot and axis where a listed motion has them.
+void take_pivot(const PanelContext& context, const RigidMotion& motion) {
+  const Session& session = context.session;
+  const Selection& selection = session.selection();
+  const bool moved = motion.pivot.has_value() == turns_about_centre(session) ||
+                     (motion.pivot && Vec3(*motion.pivot) != selection.space_pivot());
+  if (session.in_space()) {
+    if (axis_of(motion) != selection.space().axis())
+      context.emit(action::SetSpaceAxis{axis_of(motion)});
+    if (moved)
+      context.emit(
+          action::SetSpacePivot{motion.pivot ? std::optional<Vec3>(*motion.pivot) : std::nullopt});
+  } else if (moved) {
+    context.emit(action::SetPivot{
+        motion.pivot ? std::optional<Vec2>(motion.pivot->head<2>()) : std::nullopt, {}});
+  }
+}
+
+/// Moves the selected bodies by numbers, alone or together with others, and shows the numbers of a
+/// drag.
 class MotionPanel {
  public:
   void draw(const PanelContext& context) {
     const Session& session = context.session;
     const bool open = ui::section("section/motion", "Move the selection");
-    if (!open || session.selection().empty()) {
-      if (session.selection().motion_preview()) context.emit(action::PreviewMotion{});
-      if (!open) return;
-      if (!session.document()) return ui::text_dim("No mesh is open.");
-      return ui::text_wrapped(
-          "Click a body in the picture, or a marker in the list, to select it. Then drag its "
-          "handle, or type numbers here.");
+    const bool selected = !session.selection().empty();
+    if ((!open || !selected) && session.selection().motion_preview())
+      context.emit(action::PreviewMotion{});
+    if (!open) return;
+    if (!session.document()) return ui::text_dim("No mesh is open.");
+    if (selected) {
+      draw_selected(context);
+    } else {
+      shown_.clear();
+      ui::text_wrapped(session.selection().plan().empty()
+                           ? "Click a body in the picture, or a marker in the list, to select it. "
+                             "Then drag its handle, or type numbers here."
+                           : "Select a body of the list to change its motion, or another one to "
+                             "add it.");
     }
+    draw_body_list(context);
+    if (!selected) return;
+    // Below the buttons, so that the buttons are visible in a small window.
+    ImGui::BeginDisabled(session.dragging());
+    draw_keep_outside(context);
+    draw_quality_limits(context);
+    ImGui::EndDisabled();
+  }
+
+ private:
+  void draw_selected(const PanelContext& context) {
+    const Session& session = context.session;
     const bool live = session.dragging();
+    const bool loads = follow_list(context);
+    draw_heading(context);
     ImGui::BeginDisabled(live);
     const bool entered = draw_fields(context, live);
     form_for(session).draw_pivot(context);
     draw_motion_steps(context);
     ImGui::EndDisabled();
-    const bool can = !live && usable(asked(session));
+    const RigidMotion motion = asked(session);
+    if (!shown_.empty()) {
+      preview(context, false);
+      if (!loads && !live && !session.in_motion()) keep_listed(context);
+      return;
+    }
+    const bool can = !live && usable(motion);
     preview(context, can && !session.in_motion());
     const bool pressed = ui::button("motion/apply", "Apply",
                                     {"Move the selected bodies and smooth the mesh around them. "
                                      "Enter in a field does so as well.",
                                      ui::ButtonStyle::primary, can, -1});
-    // Below the button, so that the button is visible in a small window.
-    ImGui::BeginDisabled(live);
-    draw_keep_outside(context);
-    draw_quality_limits(context);
-    ImGui::EndDisabled();
+    draw_add(context, !live && !session.in_motion());
     if (!can || !(pressed || entered)) return;
     context.emit(action::PreviewMotion{});
-    context.emit(action::ApplyMotion{asked(session)});
+    context.emit(action::ApplyMotion{motion});
+    clear_fields();
+  }
+
+  /// Shows the listed motion of what is selected, if there is one. True in the frame in which the
+  /// fields take it over.
+  bool follow_list(const PanelContext& context) {
+    const Selection& selection = context.session.selection();
+    const std::vector<std::string> names = selection.names();
+    const RigidMotion* listed = selection.plan().find(names);
+    if (!listed) {
+      if (!shown_.empty()) clear_fields();
+      shown_.clear();
+      return false;
+    }
+    if (shown_ == names) return false;
+    shown_ = names;
+    rotate_ = listed->rotate;
+    translate_ = listed->translate;
+    take_pivot(context, *listed);
+    return true;
+  }
+
+  /// While there is a list, says whose motion the fields show.
+  void draw_heading(const PanelContext& context) const {
+    if (context.session.selection().plan().empty()) return;
+    const std::string of = joined(context.session.selection().names());
+    ui::text_dim(ui::elided(shown_.empty() ? of + ": not in the list yet" : "Motion of " + of,
+                            ImGui::GetContentRegionAvail().x));
+    ui::note("motion/motion_of");
+    ui::tooltip(of);
+  }
+
+  /// The motion of the fields as it is listed: without a pivot in the centre.
+  RigidMotion listed_motion(const Session& session) const {
+    RigidMotion motion = asked(session);
+    if (turns_about_centre(session)) motion.pivot.reset();
+    return motion;
+  }
+
+  /// Gives the listed body the motion of the fields.
+  void keep_listed(const PanelContext& context) const {
+    const RigidMotion motion = listed_motion(context.session);
+    const RigidMotion* listed = context.session.selection().plan().find(shown_);
+    if (listed && *listed != motion && sound(motion)) context.emit(action::PlanBody{motion});
+  }
+
+  void draw_add(const PanelContext& context, bool free) {
+    const std::vector<std::string> names = context.session.selection().names();
+    const std::string of = joined(names);
+    const float width = ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().FramePadding.x;
+    const RigidMotion motion = listed_motion(context.session);
+    const char* list = context.session.selection().plan().empty() ? " to a list" : " to the list";
+    if (!ui::button("motion/add_body", ui::elided("Add " + of + list, width),
+                    {"Keep this motion for " + of +
+                         ", then select other bodies and give them others. All bodies of the list "
+                         "move together, each along its own arc.",
+                     ui::ButtonStyle::normal, free && sound(motion), -1}))
+      return;
+    context.emit(action::PreviewMotion{});
+    context.emit(action::PlanBody{motion});
+    shown_ = names;
+  }
+
+  void clear_fields() {
     rotate_ = 0;
     translate_.setZero();
   }
 
- private:
   /// True if Enter was pressed in one of the fields. live: they show the active drag.
   bool draw_fields(const PanelContext& context, bool live) {
     const MotionForm& form = form_for(context.session);
@@ -298,6 +413,7 @@ class MotionPanel {
   // As typed; pivot and axis are the session's.
   double rotate_ = 0;  // degrees
   Vec3 translate_{0, 0, 0};
+  std::vector<std::string> shown_;  // the listed body that the fields show; empty: none
 };
 
 }  // namespace

@@ -197,6 +197,26 @@ TEST_CASE("bodies that move together touch each other where their arcs meet") {
   CHECK(outer->edges.other == "outer");
 }
 
+TEST_CASE("bodies that change places touch in the middle of the way, however clear its ends are") {
+  const Mesh mesh = plate_with_holes();
+  const Vec2 middle(0.5, 0.5);
+  const auto half_turn = [&](double of_a, double of_b) {
+    return motion_of(mesh,
+                     {{{"hole_a"}, {of_a, middle, {0, 0}}}, {{"hole_b"}, {of_b, middle, {0, 0}}}});
+  };
+  // Both go below: their inner corners meet there when each has turned by 45 degrees.
+  const auto below = find_contact(*mesh.topology, mesh.coordinates, *half_turn(180, -180));
+  REQUIRE(below);
+  CHECK(below->fraction == doctest::Approx(0.25).epsilon(1e-4));
+  CHECK(describe_touch(below->edges) == "hole_a would touch hole_b");
+  CHECK(below->edges.place.x() == doctest::Approx(0.5).epsilon(1e-3));
+  CHECK(below->edges.place.y() == doctest::Approx(0.5 - 0.1 * std::sqrt(2.0)).epsilon(1e-3));
+  // Where they end nothing touches, and if one goes below and one above they never meet.
+  CHECK_FALSE(find_contact(*mesh.topology, mesh.coordinates, *half_turn(180, 180)));
+  // In the middle of the way of each alone stands the other.
+  CHECK(contact_of(mesh, {"hole_a"}, {180, middle, {0, 0}}));
+}
+
 TEST_CASE("the smallest gap of several bodies is also that between them") {
   const Mesh mesh = make_mesh(square_with_two_holes(10, Cells::quads));
   const auto motion = motion_of(mesh, {{{"hole_a"}, {.translate = Vec2(0.05, 0)}},

@@ -311,13 +311,18 @@ TEST_CASE("nodes that two bodies share have to go the same way") {
   const std::string apart =
       refusal_of(mesh, {{{"top"}, by(0, 0)}, {{"bottom"}, by(0, 0.1)}, {{"left"}, by(0.1, 0)}});
   CHECK(apart.starts_with("the markers top and left share node "));
-  CHECK(apart.ends_with(", which their motions take to different places"));
+  CHECK(
+      apart.ends_with(", which their motions take to different places, 0.1 apart: make them one "
+                      "body, or let both turn about that node"));
   CHECK(refusal_of(mesh, {{{"bottom"}, by(0, 0.1)}, {{"left"}, by(0, 0.1)}}) == "accepted");
   // Both hang on the corner, which is their hinge.
   const auto about = [](double degrees) { return RigidMotion{degrees, Vec2(0, 0), {0, 0}}; };
   CHECK(refusal_of(mesh, {{{"bottom"}, about(20)}, {{"left"}, about(-10)}}) == "accepted");
   // They end at one place and go there by different arcs.
   CHECK(refusal_of(mesh, {{{"bottom"}, {360, Vec2(1, 1), {0, 0}}}, {{"left"}, by(0, 0)}})
+            .starts_with("the markers bottom and left share node "));
+  // Four full turns are no turn at quarters of the way.
+  CHECK(refusal_of(mesh, {{{"bottom"}, {4 * 360, Vec2(1, 1), {0, 0}}}, {{"left"}, by(0, 0)}})
             .starts_with("the markers bottom and left share node "));
   CHECK(refusal_of(mesh, {{{"bottom"}, by(0, 0)}, {{"left", "bottom"}, by(0, 0)}}) ==
         "the marker bottom belongs to two of the bodies that are to move");

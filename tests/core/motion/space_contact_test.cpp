@@ -163,6 +163,24 @@ TEST_CASE("a body that turns in space touches at the angle at which its corner a
   CHECK(contact->edges.other == "outer");
 }
 
+TEST_CASE("bodies in space that change places touch in the middle of the way") {
+  const Mesh mesh = make_mesh(box_with_bodies(Volumes::tetrahedra));
+  const Vec3 middle(0.5, 0.5, 0.5), axis(0, 0, 1);
+  const auto contact_between = [&](double of_left, double of_right) {
+    const std::vector<MovingBody> bodies{{{"left"}, {of_left, middle, Vec3(0, 0, 0), axis}},
+                                         {{"right"}, {of_right, middle, Vec3(0, 0, 0), axis}}};
+    return find_contact(*mesh.topology, mesh.coordinates,
+                        *make_motion(*mesh.topology, mesh.coordinates, bodies));
+  };
+  // Their inner edges meet when each has turned by 45 degrees. At the end all is clear.
+  const auto contact = contact_between(180, -180);
+  REQUIRE(contact);
+  CHECK(contact->fraction == doctest::Approx(0.25).epsilon(1e-4));
+  CHECK(describe_touch(contact->edges) == "left would touch right");
+  CHECK(contact->edges.place.x() == doctest::Approx(0.5).epsilon(1e-3));
+  CHECK_FALSE(contact_between(180, 180));
+}
+
 TEST_CASE("a body of a volume mesh that changes its shape touches another, or itself") {
   const Mesh mesh = make_mesh(box_with_bodies(Volumes::tetrahedra));
   SineDeformation wave;

@@ -163,6 +163,8 @@ struct ApplyMotion {
 struct ApplyDeformation {
   SineDeformation shape;
 };
+/// Moves all bodies of the list together, as one command.
+struct ApplyBodyPlan {};
 /// Switches shape editing, and sets the distance along the boundary over which a drag fades, in
 /// units of the mesh.
 struct SetShapeEdit {
@@ -225,6 +227,16 @@ struct PreviewDeformation {
 struct PreviewMotion {
   std::optional<RigidMotion> motion;
 };
+/// Lists the selected bodies with a motion, to move together with others; a listed body gets
+/// another motion. A motion without a pivot turns about the centre of what moves.
+struct PlanBody {
+  RigidMotion motion;
+};
+/// Takes a body out of this list.
+struct UnplanBody {
+  std::size_t number = 0;
+};
+struct ClearBodyPlan {};
 /// Selects the node to inspect; none: no node.
 struct SelectNode {
   std::optional<Index> node;
@@ -268,14 +280,15 @@ using SettingsAction =
 
 using LayerAction = std::variant<action::PreviewLayers>;
 using MessageAction = std::variant<action::DismissPrompt, action::DismissBanner, action::Remark>;
-using MotionAction =
-    std::variant<action::ApplyMotion, action::ApplyDeformation, action::SetShapeEdit,
-                 action::BeginDrag, action::DragTo, action::EndDrag, action::CancelDrag>;
+using MotionAction = std::variant<action::ApplyMotion, action::ApplyDeformation,
+                                  action::ApplyBodyPlan, action::SetShapeEdit, action::BeginDrag,
+                                  action::DragTo, action::EndDrag, action::CancelDrag>;
 using SelectionAction =
     std::variant<action::SelectMarkers, action::HoverMarkers, action::SetPivot,
                  action::SetSpacePivot, action::SetSpaceAxis, action::TakePivot, action::PickPivot,
                  action::SelectArc, action::SelectPatch, action::PreviewDeformation,
-                 action::PreviewMotion, action::SelectNode, action::HoverNode, action::PinNodes>;
+                 action::PreviewMotion, action::PlanBody, action::UnplanBody, action::ClearBodyPlan,
+                 action::SelectNode, action::HoverNode, action::PinNodes>;
 using VcvAction = std::variant<action::EditVcvs, action::EndVcvEdit, action::CancelVcvEdit>;
 
 /// Passes an action to its handler's function void on(const A&). An action without such a function

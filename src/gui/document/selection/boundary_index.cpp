@@ -145,6 +145,14 @@ std::vector<std::string> marker_names(const Topology& topology, const std::vecto
   return names;
 }
 
+std::vector<Index> markers_named(const Topology& topology, const std::vector<std::string>& names) {
+  std::vector<Index> markers;
+  for (const std::string& name : names)
+    if (const auto marker = topology.markers().find(name)) markers.push_back(*marker);
+  std::ranges::sort(markers);
+  return markers;
+}
+
 bool BoundaryArc::contains(std::size_t position) const {
   if (first <= last) return position >= first && position <= last;
   return position >= first || position <= last;

@@ -72,6 +72,8 @@ class BoundaryIndex {
 
 /// Names of markers given by number.
 std::vector<std::string> marker_names(const Topology& topology, const std::vector<Index>& markers);
+/// The markers of these names that the mesh has, ascending.
+std::vector<Index> markers_named(const Topology& topology, const std::vector<std::string>& names);
 
 /// A run of nodes along a closed boundary loop, forward from `first` to `last`.
 struct BoundaryArc {

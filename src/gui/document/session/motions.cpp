@@ -37,6 +37,13 @@ void Motions::on(const action::ApplyDeformation& a) {
               false);
 }
 
+void Motions::on(const action::ApplyBodyPlan&) {
+  if (!mesh_.document() || !selection_.plan().moves() || work_.held().body) return;
+  selection_.drop_preview();
+  if (jobs_.start(settings_.move_together(selection_.plan().bodies()), false))
+    selection_.begin_plan();
+}
+
 void Motions::on(const action::SetShapeEdit& a) {
   const bool dragging = work_.held().body;
   if (!mesh_.document() || (dragging && !a.active)) return;

@@ -25,6 +25,7 @@ class Motions {
 
   void on(const action::ApplyMotion& a);
   void on(const action::ApplyDeformation& a);
+  void on(const action::ApplyBodyPlan&);
   void on(const action::SetShapeEdit& a);
   void on(const action::BeginDrag& a);
   void on(const action::DragTo& a);

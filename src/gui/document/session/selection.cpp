@@ -9,6 +9,45 @@
 
 namespace winslow::gui {
 
+namespace {
+
+std::vector<std::array<Index, 2>> outline_in_plane(const Topology& topology,
+                                                   const std::vector<Index>& markers) {
+  std::vector<std::array<Index, 2>> outline;
+  for (const Index m : markers)
+    for (const Face& edge : topology.markers()[at(m)].faces) outline.push_back(edge.edge());
+  return outline;
+}
+
+std::vector<std::array<Index, 2>> outline_in_space(const VolumeBoundary& boundary,
+                                                   const Coordinates& coordinates,
+                                                   const std::vector<Index>& markers) {
+  constexpr std::size_t most_faces = 100;
+  constexpr double sharp_angle = 40;  // degrees
+  std::vector<std::array<Index, 2>> outline;
+  std::vector<SurfaceFace> faces;
+  for (const SurfaceFace& face : boundary.faces)
+    if (std::ranges::binary_search(markers, face.marker)) faces.push_back(face);
+  const SpacePoints x(coordinates);
+  const SurfaceEdges edges = surface_edges(faces);
+  const std::vector<unsigned char> sharp = feature_edges(x, faces, edges, sharp_angle);
+  for (std::size_t k = 0; k < sharp.size(); ++k)
+    if (sharp[k] != 0) outline.push_back(edges.nodes[k]);
+  const std::size_t step = faces.size() / most_faces + 1;
+  for (std::size_t f = 0; f < faces.size(); f += step)
+    for (std::size_t c = 0; c < faces[f].nodes.size(); ++c)
+      outline.push_back({faces[f].nodes[c], faces[f].nodes[(c + 1) % faces[f].nodes.size()]});
+  return outline;
+}
+
+}  // namespace
+
+std::vector<std::array<Index, 2>> outline_of(const LiveMesh& mesh,
+                                             const std::vector<Index>& markers) {
+  if (!in_space(mesh)) return outline_in_plane(*mesh.topology(), markers);
+  return outline_in_space(*mesh.document()->boundary(), mesh.coordinates(), markers);
+}
+
 Vec3 BodySelection::pivot() const {
   const auto motion = mesh_.live_motion();
   return motion ? transform(*motion, pivot_.point) : pivot_.point;
@@ -26,10 +65,7 @@ std::optional<Vec3> PlaneSelection::centre() const {
 }
 
 std::vector<std::array<Index, 2>> PlaneSelection::outline() const {
-  std::vector<std::array<Index, 2>> edges;
-  for (const Index m : markers_)
-    for (const Face& edge : mesh_.topology()->markers()[at(m)].faces) edges.push_back(edge.edge());
-  return edges;
+  return outline_of(mesh_, markers_);
 }
 
 double PlaneSelection::smallest_body() const {
@@ -210,24 +246,8 @@ void SpaceSelection::clear() {
   held_.reset();
 }
 
-/// All edges would be too dense: uses the sharp edges and a few others, spread over the surface.
 std::vector<std::array<Index, 2>> SpaceSelection::outline() const {
-  constexpr std::size_t most_faces = 100;
-  constexpr double sharp_angle = 40;  // degrees
-  if (outline_) return *outline_;
-  outline_.emplace();
-  std::vector<SurfaceFace> faces;
-  for (const SurfaceFace& face : mesh_.document()->boundary()->faces)
-    if (std::ranges::binary_search(markers_, face.marker)) faces.push_back(face);
-  const SpacePoints x(mesh_.coordinates());
-  const SurfaceEdges edges = surface_edges(faces);
-  const std::vector<unsigned char> sharp = feature_edges(x, faces, edges, sharp_angle);
-  for (std::size_t k = 0; k < sharp.size(); ++k)
-    if (sharp[k] != 0) outline_->push_back(edges.nodes[k]);
-  const std::size_t step = faces.size() / most_faces + 1;
-  for (std::size_t f = 0; f < faces.size(); f += step)
-    for (std::size_t c = 0; c < faces[f].nodes.size(); ++c)
-      outline_->push_back({faces[f].nodes[c], faces[f].nodes[(c + 1) % faces[f].nodes.size()]});
+  if (!outline_) outline_ = outline_of(mesh_, markers_);
   return *outline_;
 }
 
@@ -303,12 +323,14 @@ void Selection::moved(const MoveCommand& move) {
   for (const MovingBody& body : move.bodies)
     own().moved(body.markers, resolve_motion(body.motion, dimension, Vec3(0, 0, 0)),
                 move.bodies.size() == 1);
+  plan_.moved(move);
 }
 
 void Selection::refresh() {
   drop_preview();
   own().follow_nodes();
   own().place();
+  plan_.follow_history();
 }
 
 void Selection::clear() {
@@ -319,6 +341,7 @@ void Selection::clear() {
   plane_.clear();
   space_.clear();
   shape_edit_ = {};
+  plan_.clear();
   drop_preview();
 }
 
@@ -387,6 +410,12 @@ void Selection::on(const action::PreviewMotion& a) {
   for (const auto& [from, to] : own().outline())
     motion_preview_->outline.emplace_back(transform(motion, place_of(x, from)),
                                           transform(motion, place_of(x, to)));
+}
+
+void Selection::on(const action::PlanBody& a) {
+  if (!mesh_.document() || markers_.empty()) return;
+  drop_preview();
+  plan_.put({names(), a.motion});
 }
 
 bool Selection::exists(Index node) const {

@@ -4,10 +4,16 @@
 #include "gui/document/selection/boundary_index.h"
 #include "gui/document/selection/node_overrides.h"
 #include "gui/document/selection/pivot.h"
+#include "gui/document/session/body_plan.h"
 #include "gui/document/session/live_mesh.h"
 #include "gui/document/session/message_board.h"
 
 namespace winslow::gui {
+
+/// Edges that show the shape of markers (ascending), as pairs of nodes. In space all sharp edges
+/// and some of the others, since all of them would be too dense.
+std::vector<std::array<Index, 2>> outline_of(const LiveMesh& mesh,
+                                             const std::vector<Index>& markers);
 
 /// Pivot and outline of the selected markers: one class for plane meshes, one for meshes in space.
 /// The markers belong to the Selection.
@@ -21,7 +27,7 @@ class BodySelection {
   Vec3 pivot() const;
   /// Centre of the selection's bounding box in the mesh of the history; none: it has no nodes.
   virtual std::optional<Vec3> centre() const = 0;
-  /// Edges that show the shape of the selection, as pairs of nodes.
+  /// outline_of() the selection.
   virtual std::vector<std::array<Index, 2>> outline() const = 0;
   /// Largest extent of the smallest body of the mesh.
   virtual double smallest_body() const = 0;
@@ -110,7 +116,6 @@ class SpaceSelection : public BodySelection {
   void set_source(const PivotSource& source) override;
   void wait_for(const action::PickPivot& pick) override;
   std::optional<Vec3> centre() const override;
-  /// All sharp edges and some of the others.
   std::vector<std::array<Index, 2>> outline() const override;
   double smallest_body() const override;
   void leave() override;
@@ -165,6 +170,8 @@ class Selection {
   const SpaceSelection& space() const { return space_; }
   std::optional<PivotPlace> pivot_place() const { return plane_.pivot_place(); }
   const std::optional<BodyAnchors>& anchors() const { return plane_.anchors(); }
+  /// Called when the command of plan() has begun.
+  void begin_plan() { plan_.begin(); }
   /// Called after a command has moved bodies.
   void moved(const MoveCommand& move);
 
@@ -189,6 +196,8 @@ class Selection {
   }
 
   const NodeSelection& nodes() const { return nodes_; }
+  /// Bodies listed to move together.
+  const BodyPlan& plan() const { return plan_; }
 
   /// Called when the document has moved to another position of its history.
   void refresh();
@@ -210,6 +219,9 @@ class Selection {
   void on(const action::SelectPatch& a) { shape_edit_.patch = a.patch; }
   void on(const action::PreviewDeformation& a);
   void on(const action::PreviewMotion& a);
+  void on(const action::PlanBody& a);
+  void on(const action::UnplanBody& a) { plan_.remove(a.number); }
+  void on(const action::ClearBodyPlan&) { plan_.clear(); }
   void on(const action::SelectNode& a);
   void on(const action::HoverNode& a);
   void on(const action::PinNodes& a);
@@ -227,6 +239,7 @@ class Selection {
   ShapeEdit shape_edit_;
   std::optional<DeformationPreview> preview_;
   std::optional<MotionPreview> motion_preview_;
+  BodyPlan plan_{mesh_};
   NodeSelection nodes_;
   /// Nodes dropped when the connectivity of the mesh on screen changed.
   struct LostNodes {

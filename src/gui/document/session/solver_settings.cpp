@@ -30,9 +30,17 @@ SmoothOptions SolverSettings::smooth_for_motion(const std::vector<std::string>& 
 
 MoveCommand SolverSettings::move_command(const std::vector<std::string>& markers,
                                          RigidMotion motion) const {
-  // Fixes the number of components, so that recipes show as many as the mesh has dimensions.
-  motion.translate = Vec3(motion.translate);
-  return MoveCommand{{{markers, motion}}, motion_, smooth_for_motion(markers)};
+  return move_together({{markers, std::move(motion)}});
+}
+
+MoveCommand SolverSettings::move_together(std::vector<MovingBody> bodies) const {
+  std::vector<std::string> markers;
+  for (MovingBody& body : bodies) {
+    markers.insert(markers.end(), body.markers.begin(), body.markers.end());
+    // Fixes the number of components, so that recipes show as many as the mesh has dimensions.
+    body.motion.translate = Vec3(body.motion.translate);
+  }
+  return MoveCommand{std::move(bodies), motion_, smooth_for_motion(markers)};
 }
 
 void SolverSettings::on(const action::PairMarkers& a) {

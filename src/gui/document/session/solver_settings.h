@@ -30,6 +30,8 @@ class SolverSettings {
   /// Options for a motion of these markers, which then neither slide nor are periodic.
   SmoothOptions smooth_for_motion(const std::vector<std::string>& markers) const;
   MoveCommand move_command(const std::vector<std::string>& markers, RigidMotion motion) const;
+  /// A command for bodies that move together, each by its own motion.
+  MoveCommand move_together(std::vector<MovingBody> bodies) const;
 
   void on(const action::EditSmoothOptions& a) { a.edit.apply_to(smooth_); }
   void on(const action::EditMotionOptions& a) { a.edit.apply_to(motion_); }

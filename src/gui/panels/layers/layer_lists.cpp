@@ -3,65 +3,11 @@
 #include "gui/base/text.h"
 #include "gui/panels/layers/layer_forms.h"
 #include "gui/widgets/controls.h"
+#include "gui/widgets/list_rows.h"
 
 namespace winslow::gui {
 
 namespace {
-
-/// Content of a row, of two lines, in a list of the panel of layers.
-struct ListRow {
-  std::string id;
-  std::string title, summary;
-  std::string tip, remove_tip;
-  bool selected = false;
-};
-enum class RowAnswer { none, pressed, removed };
-
-float row_height(const Theme& theme) { return 2 * ImGui::GetTextLineHeight() + theme.px(10); }
-
-/// Draws a row, with a cross at its end that removes it.
-RowAnswer draw_list_row(const ListRow& row, const Theme& theme) {
-  const float pad = theme.px(6), cross = theme.px(26), line = ImGui::GetTextLineHeight();
-  const ImVec2 start = ImGui::GetCursorScreenPos();
-  const ImVec2 size(ImGui::GetContentRegionAvail().x - cross, row_height(theme));
-  const bool pressed = ImGui::InvisibleButton(row.id.c_str(), size);
-  ui::note(row.id);
-  const bool over = ImGui::IsItemHovered();
-  ui::tooltip(row.tip);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (row.selected || over)
-    list.AddRectFilled(start, ImVec2(start.x + size.x, start.y + size.y), palette().accent_soft,
-                       theme.px(4));
-  const auto text = [&](float y, const std::string& what, ImU32 color) {
-    list.AddText(ImVec2(start.x + pad, start.y + theme.px(4) + y), color,
-                 ui::elided(what, size.x - 2 * pad).c_str());
-  };
-  text(0, row.title, palette().text);
-  text(line + theme.px(2), row.summary, palette().text_dim);
-  ImGui::SetCursorScreenPos(
-      ImVec2(start.x + size.x, start.y + (size.y - ImGui::GetFrameHeight()) / 2));
-  const bool removed = ui::button(row.id + "/remove", "\xC3\x97",
-                                  {row.remove_tip, ui::ButtonStyle::flat, true, cross});
-  ImGui::SetCursorScreenPos(ImVec2(start.x, start.y + size.y));
-  ImGui::Dummy(ImVec2(0, 0));  // registers the position of the next row
-  if (removed) return RowAnswer::removed;
-  return pressed ? RowAnswer::pressed : RowAnswer::none;
-}
-
-/// Draws a frame with `count` rows, scrolling beyond five. draw: draws one row; false: stop.
-void draw_list(const char* id, std::size_t count, const Theme& theme,
-               const std::function<bool(std::size_t)>& draw) {
-  if (count == 0) return;
-  const auto rows = static_cast<float>(std::min<std::size_t>(count, 5));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(2, 2));
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-  ImGui::BeginChild(id, ImVec2(0, row_height(theme) * rows + theme.px(6)), true);
-  for (std::size_t k = 0; k < count && draw(k); ++k) {
-  }
-  ImGui::EndChild();
-  ImGui::PopStyleVar(2);
-  ImGui::Spacing();  // adds spacing after the list
-}
 
 /// "25 layers, first 1e-05, ratio 1.2, in part".
 std::string summary(const LayerWall& wall) {
@@ -71,13 +17,6 @@ std::string summary(const LayerWall& wall) {
   text += spacing.total ? ", " + short_number(*spacing.total) + " thick"
                         : ", ratio " + short_number(spacing.ratio);
   return text + (wall.part != WallPart{} ? ", in part" : "");
-}
-
-std::vector<Index> indices(const std::vector<std::string>& names, const Topology& topology) {
-  std::vector<Index> markers;
-  for (const std::string& name : names)
-    if (const auto marker = topology.markers().find(name)) markers.push_back(*marker);
-  return markers;
 }
 
 }  // namespace
@@ -99,24 +38,23 @@ void WallList::add(LayerWall wall) {
 }
 
 void WallList::draw(const PanelContext& context) {
-  draw_list("walls", walls_.size(), context.theme,
-            [&](std::size_t k) { return draw_row(context, k); });
+  ui::draw_list("walls", walls_.size(), context.theme,
+                [&](std::size_t k) { return draw_row(context, k); });
 }
 
 /// Draws a row. False if the wall was removed.
 bool WallList::draw_row(const PanelContext& context, std::size_t k) {
   const LayerWall& wall = walls_[k];
   const std::string names = joined(wall.markers);
-  std::vector<Index> markers = indices(wall.markers, *context.topology());
-  std::ranges::sort(markers);
-  const RowAnswer answer = draw_list_row(
+  std::vector<Index> markers = markers_named(*context.topology(), wall.markers);
+  const ui::RowAnswer answer = ui::draw_list_row(
       {"layers/wall/" + std::to_string(k), names, summary(wall),
        names + "\n" + summary(wall) +
            "\nClick to select these markers and change the settings of this wall.",
        "Take this wall out of the list.", markers == context.session.selection().markers()},
       context.theme);
-  if (answer == RowAnswer::pressed) context.emit(action::SelectMarkers{std::move(markers)});
-  if (answer != RowAnswer::removed) return true;
+  if (answer == ui::RowAnswer::pressed) context.emit(action::SelectMarkers{std::move(markers)});
+  if (answer != ui::RowAnswer::removed) return true;
   walls_.erase(walls_.begin() + static_cast<std::ptrdiff_t>(k));
   return false;
 }
@@ -159,19 +97,19 @@ void ColumnList::draw(const PanelContext& context, const std::vector<LayerWall>&
     return;
   draw_add(context, walls);
   const Coordinates& x = context.session.coordinates();
-  draw_list("columns", columns_.size(), context.theme, [&](std::size_t k) {
+  ui::draw_list("columns", columns_.size(), context.theme, [&](std::size_t k) {
     const Index node = columns_[k].node;
     const std::string name = "Node " + std::to_string(node);
-    const RowAnswer answer =
-        draw_list_row({"layers/column/" + std::to_string(k), name, summary(columns_[k]),
-                       name + "\nClick to go to this node and change what it is to have.",
-                       "Leave this node to the rules again.", k == chosen_},
-                      context.theme);
-    if (answer == RowAnswer::removed) {
+    const ui::RowAnswer answer =
+        ui::draw_list_row({"layers/column/" + std::to_string(k), name, summary(columns_[k]),
+                           name + "\nClick to go to this node and change what it is to have.",
+                           "Leave this node to the rules again.", k == chosen_},
+                          context.theme);
+    if (answer == ui::RowAnswer::removed) {
       columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(k));
       return false;
     }
-    if (answer == RowAnswer::pressed) {
+    if (answer == ui::RowAnswer::pressed) {
       chosen_ = k;
       if (node < x.size()) context.emit(action::GoTo{MeshItem{MeshItem::Kind::node, node}});
     }

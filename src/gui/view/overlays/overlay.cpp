@@ -259,6 +259,7 @@ void draw_overlay(ImDrawList& list, const Overlay& o) {
   if (o.session.dragging()) draw_wanted(list, o);
   if (const auto& shape = selection.deformation_preview()) draw_planned(list, o, shape->outline);
   if (const auto& motion = selection.motion_preview()) draw_planned(list, o, motion->outline);
+  draw_planned(list, o, selection.plan().outline());
   draw_layer_preview(list, o);
   draw_held(list, o);
   draw_chosen_pivot(list, o);
