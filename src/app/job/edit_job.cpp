@@ -232,7 +232,7 @@ void print_commands(const RunReport& run) {
                 << " % of the elements kept stretched";
     std::size_t sliding = 0, held = 0;
     for (const SlidingPart& part : c.result.boundary.sliding) {
-      sliding += part.sliding_nodes();
+      if (!part.of_regions) sliding += part.sliding_nodes();
       if (part.spacing != Spacing::free) held += part.nodes.size();
     }
     if (sliding > 0)
@@ -241,6 +241,8 @@ void print_commands(const RunReport& run) {
     if (c.result.boundary.held > 0)
       std::cout << ", " << c.result.boundary.held << " named nodes held";
     if (held > 0) std::cout << ", spacing of " << held << " held";
+    if (const std::string text = text_of(c.result.boundary.interfaces); !text.empty())
+      std::cout << ", " << printable(text);
     for (const PeriodicPairs& pairs : c.result.boundary.periodic)
       std::cout << ", " << pairs.pairs.size() << (pairs.halo ? " halo nodes" : " periodic pairs")
                 << " by " << pairs.description;
@@ -322,6 +324,12 @@ void print_incomplete(const RunReport& run) {
             << '\n';
 }
 
+bool holds_interfaces(const RunReport& run) {
+  return std::ranges::any_of(run.commands, [](const CommandRecord& command) {
+    return command.result.boundary.interfaces.all.held > 0;
+  });
+}
+
 /// Prints why the exit code is not 0, even with --quiet.
 void print_verdict(const EditJob& job, const std::vector<ZoneRun>& zones, const RunReport& run,
                    ExitCode code) {
@@ -337,6 +345,8 @@ void print_verdict(const EditJob& job, const std::vector<ZoneRun>& zones, const 
       if (zone.quality.inverted > 0) print_zone_heading(std::cerr, zone.name());
       print_inverted_elements(std::cerr, zone.result.mesh, zone.quality, inverted_elements_shown);
     }
+    if (holds_interfaces(run))
+      std::cerr << "  nodes in which regions meet were held: --free-interfaces lets them go\n";
   } else if (code == ExitCode::not_converged) {
     const bool at_limit = std::ranges::none_of(
         run.commands, [](const CommandRecord& command) { return gains_no_more(command.result); });

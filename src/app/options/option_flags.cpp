@@ -229,6 +229,20 @@ CLI::Option* declare(CLI::App& app, const Option& option, const SwitchOption& on
 }
 std::string metavariable(const SwitchOption&) { return {}; }
 
+/// Declares a flag for each choice that has one; two of them together are an error.
+void declare_choices(CLI::App& app, const ChoiceOption& choice, const std::string& group) {
+  std::vector<CLI::Option*> flags;
+  for (const ChoiceItem& item : choice.items()) {
+    if (item.flag.empty()) continue;
+    CLI::Option* flag = app.add_flag_callback(
+        "--" + std::string(item.flag), [choice, name = item.name] { choice.choose(name); },
+        std::string(item.help));
+    flag->group(group);
+    for (CLI::Option* other : flags) flag->excludes(other);
+    flags.push_back(flag);
+  }
+}
+
 CLI::Option* declare(CLI::App& app, const Option& option, const ChoiceOption& choice) {
   return add_value<std::string>(app, option,
                                 [choice](const std::string& name) { choice.choose(name); })
@@ -281,6 +295,11 @@ std::string flag_help(const Option& option) {
 void add_option_flags(CLI::App& app, const OptionTable& table, const std::string& group) {
   for (const Option& option : table) {
     if (option.on_command_line == OnCommandLine::no) continue;
+    if (const auto* choice = std::get_if<ChoiceOption>(&option.value);
+        choice && choice->has_flags()) {
+      declare_choices(app, *choice, group);
+      continue;
+    }
     CLI::Option* flag =
         std::visit([&](const auto& of) { return declare(app, option, of); }, option.value);
     flag->group(group);

@@ -272,11 +272,22 @@ std::string range_text(const Option& option) {
   return std::holds_alternative<ChoiceOption>(option.value) ? "" : expected_text(option);
 }
 
+/// The flag of an option, or those of its choices.
+std::string flags_text(const Option& option) {
+  if (option.on_command_line == OnCommandLine::no) return {};
+  const auto* choice = std::get_if<ChoiceOption>(&option.value);
+  if (!choice || !choice->has_flags()) return code(flag_of(option));
+  std::string text;
+  for (const ChoiceItem& item : choice->items())
+    if (!item.flag.empty())
+      text += (text.empty() ? "" : ", ") + code("--" + std::string(item.flag));
+  return text;
+}
+
 void print_flags(std::ostream& out, const OptionTable& table) {
   out << "| option | in a recipe | default | range | meaning |\n|---|---|---|---|---|\n";
   for (const Option& option : table) {
-    const bool flag = option.on_command_line == OnCommandLine::yes;
-    out << "| " << (flag ? code(flag_of(option)) : "") << " | " << code(path_of(option)) << " | "
+    out << "| " << flags_text(option) << " | " << code(path_of(option)) << " | "
         << (option.required ? "required" : code(value_text(option))) << " | " << range_text(option)
         << " | " << meaning(option) << " |\n";
   }

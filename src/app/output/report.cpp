@@ -76,10 +76,21 @@ json describe_gap(const std::optional<Gap>& gap, int dimension) {
 json describe_sliding(const std::vector<SlidingPart>& parts) {
   json report = json::array();
   for (const SlidingPart& part : parts) {
-    report.push_back(
-        {{"marker", part.marker}, {"on", part.description}, {"nodes", part.sliding_nodes()}});
+    report.push_back({{part.of_regions ? "regions" : "marker", part.marker},
+                      {"on", part.description},
+                      {"nodes", part.sliding_nodes()}});
     if (part.row) report.back()["spacing"] = part.spacing == Spacing::free ? "free" : "held";
   }
+  return report;
+}
+
+json describe_interfaces(const InterfaceReport& interfaces) {
+  json report = json::array();
+  for (const InterfaceNodes& nodes : interfaces.each)
+    report.push_back({{"regions", nodes.regions},
+                      {"held", nodes.held},
+                      {"slide", nodes.sliding},
+                      {"free", nodes.free}});
   return report;
 }
 
@@ -113,6 +124,7 @@ json describe_result(const CommandRecord& record) {
                  {"stuck_nodes", r.stuck_nodes},
                  {"held_nodes", r.boundary.held},
                  {"sliding", describe_sliding(r.boundary.sliding)},
+                 {"interfaces", describe_interfaces(r.boundary.interfaces)},
                  {"periodic", describe_periodic(r.boundary.periodic)},
                  {"increments", r.increments},
                  {"linear_solver", r.linear_solver},

@@ -274,7 +274,9 @@ CommandResult execute_one(const ScrambleCommand& command, const MeshState& state
   for (Index node = 0; node < topology.node_count(); ++node)
     if (topology.used(node)) used.push_back(node);
   const Box<3> box = body_box(x, used);
+  const std::vector<Index> stay = interface_nodes_inside(topology);
   for (const Index node : topology.interior_nodes()) {
+    if (std::ranges::binary_search(stay, node)) continue;
     Vec3 share(0, 0, 0);
     for (double& component : share.head(x.dimension())) component = uniform(generator);
     set_place(x, node, box.min + box.size().cwiseProduct(share));
@@ -436,6 +438,18 @@ bool keeps_reference(const Command& command) {
       command);
 }
 
+/// The command with what its options leave open about the nodes in which regions meet.
+Command with_interfaces(Command command) {
+  const bool motion = std::visit(
+      [](const auto& c) {
+        return requires { c.how; };
+      },
+      command);
+  if (SmoothOptions* smooth = smooth_options(command))
+    smooth->slide.interfaces = interfaces_in(smooth->slide.interfaces, motion);
+  return command;
+}
+
 /// Executes a command on a plane or volume mesh: in coordinates near the mesh, with sliding nodes
 /// on their reference surface.
 CommandResult carry_out_near_origin(const Command& command, const MeshState& state,
@@ -538,7 +552,7 @@ ResolvedCommand::ResolvedCommand(Command command, SlideFiles files)
 
 CommandResult execute(const ResolvedCommand& resolved, const MeshState& state,
                       const RunOptions& given) {
-  const Command& command = resolved.command();
+  const Command command = with_interfaces(resolved.command());
   RunOptions options = given;
   options.files = resolved.files();
   require_dimension(command, state);

@@ -61,6 +61,7 @@ struct DeformCommand {
 };
 
 /// Moves every free node to a random position in the mesh's bounding box (case C of the paper).
+/// Nodes in which regions meet stay: smoothing holds them.
 struct ScrambleCommand {
   static constexpr std::string_view name = "scramble";
   static constexpr std::string_view summary =

@@ -381,9 +381,10 @@ DragSession::DragSession(MeshState state, DragGrip grip, const SmoothOptions& op
     start->motion = in_frame(resolve_motion(start->motion, dimension_, Vec3(0, 0, 0)), frame_);
   }
   SmoothOptions local = options;
+  local.slide.interfaces = interfaces_in(local.slide.interfaces, true);
   local.keep_outside = to_local(std::move(local.keep_outside), frame_);
   impl_ = std::make_unique<Impl>(std::move(state), std::move(grip), local, std::move(start),
-                                 ResolvedSlide(options.slide, files), frame_.origin());
+                                 ResolvedSlide(local.slide, files), frame_.origin());
 }
 DragSession::~DragSession() = default;
 

@@ -28,10 +28,25 @@ class NodeParts {
   std::vector<Index> part_of_;  // -1: none
 };
 
+/// The markers that nodes slide on, and all others, at which they stay.
+struct SlidingMarkers {
+  /// Of the mesh, and behind them its interfaces where parts end or slide there.
+  Markers all;
+  std::vector<Index> sliding;  ///< indices of `all`
+  Index of_mesh = 0;           ///< how many are markers of the mesh
+  /// A surface mesh, and nodes slide along the borders of its regions.
+  bool along_regions = false;
+
+  SlidingMarkers(const Topology& topology, std::vector<Index> markers, Interfaces interfaces);
+  bool slides(Index marker) const { return std::ranges::find(sliding, marker) != sliding.end(); }
+  bool of_regions(Index marker) const { return !along_regions && marker >= of_mesh; }
+  const std::string& name(Index marker) const { return all[at(marker)].name; }
+};
+
 /// The markers at nodes of periodic pairs, besides their own side.
 class CornerMarkers {
  public:
-  CornerMarkers(const Topology& topology, std::span<const Index> sliding);
+  explicit CornerMarkers(const SlidingMarkers& markers);
   /// The sliding marker at a node of a pair; none if there is another marker besides the two sides.
   std::optional<Index> sliding_at(Index node, const PeriodicPairs& pairs) const;
   /// Whether there is a sliding marker at a node.
@@ -40,10 +55,7 @@ class CornerMarkers {
   void require_both(const Coordinates& x, const PeriodicPair& pair) const;
 
  private:
-  bool slides(Index marker) const { return std::ranges::find(sliding_, marker) != sliding_.end(); }
-
-  const Topology& topology_;
-  std::vector<Index> sliding_;
+  const SlidingMarkers& markers_;
   std::map<Index, std::vector<Index>> markers_at_;  // of nodes on several markers
 };
 
@@ -55,18 +67,18 @@ class CornerMarkers {
 // In the results, held nodes of the rules are still among the sliding nodes. Each function throws
 // UsageError for smooth nodes that cannot slide.
 
-/// For a plane mesh. markers: indices.
+/// For a plane mesh.
 SlidingBoundary sliding_on_curves(const Topology& topology, const Coordinates& x,
-                                  std::span<const Index> markers, const FeatureRules& rules,
+                                  const SlidingMarkers& markers, const FeatureRules& rules,
                                   std::span<const PeriodicPairs> periodic);
 /// For a volume mesh, or for a surface mesh: all of its elements, without markers.
 SlidingBoundary sliding_on_surfaces(const Topology& topology, const Coordinates& x,
-                                    std::span<const Index> markers, const FeatureRules& rules,
+                                    const SlidingMarkers& markers, const FeatureRules& rules,
                                     std::span<const PeriodicPairs> periodic);
 
 /// The same on a reference surface, see SlidingBoundary::find().
 SlidingBoundary sliding_on_reference(const Topology& topology, const Coordinates& x,
-                                     std::span<const Index> markers, const FeatureRules& rules,
+                                     const SlidingMarkers& markers, const FeatureRules& rules,
                                      const ReferenceSurface& reference);
 
 /// Throws UsageError for the first smooth node of the rules that cannot slide in space. stays: 1
@@ -106,8 +118,9 @@ struct SlidingFaces {
   std::vector<SurfaceFace> faces;
   std::vector<unsigned char> stays;
 };
-/// markers: indices; ignored for a surface mesh.
-SlidingFaces sliding_faces(const Topology& topology, std::span<const Index> markers);
+/// The markers are ignored for a surface mesh. Where nodes slide along the borders of its regions,
+/// the marker of a face is the region of the element.
+SlidingFaces sliding_faces(const Topology& topology, const SlidingMarkers& markers);
 
 /// The nodes of a region of faces that slide on its surface.
 std::vector<Index> nodes_inside(const SlidingFaces& sliding, std::span<const SurfaceNode> nodes,
@@ -116,8 +129,8 @@ std::vector<Index> nodes_inside(const SlidingFaces& sliding, std::span<const Sur
 /// "straight edge", "edge, circle of radius 1": a feature line for reports.
 std::string edge_description(const SpaceCurve& curve);
 
-/// The name of a marker for reports; "surface" for -1.
-std::string part_name(const Topology& topology, Index marker);
+/// The name of a marker for reports; "surface" for -1 and for a surface mesh.
+std::string part_name(const SlidingMarkers& markers, Index marker);
 /// The lowest marker of the faces at each node.
 std::map<Index, Index> markers_at(std::span<const SurfaceFace> faces);
 

@@ -14,9 +14,10 @@ namespace {
 /// Finds the curves and surfaces of a reference surface for the nodes of sliding faces.
 class ReferenceFinder {
  public:
-  ReferenceFinder(const Topology& topology, const Coordinates& x, std::span<const Index> markers,
+  ReferenceFinder(const Topology& topology, const Coordinates& x, const SlidingMarkers& markers,
                   const FeatureRules& rules, const ReferenceSurface& reference)
       : topology_(topology),
+        markers_(markers),
         x_(x),
         sliding_(sliding_faces(topology, markers)),
         edges_(surface_edges(sliding_.faces)),
@@ -169,7 +170,7 @@ class ReferenceFinder {
     if (!surface) surface = shape_.surface(under);
     const Index marker = sliding_.faces[at(region.front())].marker;
     out_.parts.push_back(
-        {part_name(topology_, marker), surface->description() + " of " + shape_.source(), inside});
+        {part_name(markers_, marker), surface->description() + " of " + shape_.source(), inside});
     geometry_->add(surface, inside, x_);
   }
 
@@ -183,12 +184,13 @@ class ReferenceFinder {
       const auto& curve = shape_.curve(line);
       if (!curve) continue;
       geometry_->add(curve, nodes);
-      out_.parts.push_back({part_name(topology_, marker_at.at(nodes.front())),
+      out_.parts.push_back({part_name(markers_, marker_at.at(nodes.front())),
                             edge_description(*curve) + " of " + shape_.source(), nodes});
     }
   }
 
   const Topology& topology_;
+  const SlidingMarkers& markers_;
   SpacePoints x_;
   SlidingFaces sliding_;
   SurfaceEdges edges_;
@@ -211,7 +213,7 @@ class ReferenceFinder {
 }  // namespace
 
 SlidingBoundary sliding_on_reference(const Topology& topology, const Coordinates& x,
-                                     std::span<const Index> markers, const FeatureRules& rules,
+                                     const SlidingMarkers& markers, const FeatureRules& rules,
                                      const ReferenceSurface& reference) {
   return ReferenceFinder(topology, x, markers, rules, reference).boundary(rules.slide_along);
 }

@@ -44,6 +44,33 @@ void require_nodes(const Topology& topology, std::span<const Index> nodes) {
                        "expected 0 to " + std::to_string(topology.node_count() - 1));
 }
 
+/// The interfaces of a mesh as markers.
+std::vector<Marker> interface_markers(const Topology& topology) {
+  std::vector<Marker> markers;
+  for (const RegionInterface& meeting : topology.interfaces())
+    markers.push_back({topology.name_of(meeting), 0, meeting.faces});
+  return markers;
+}
+
+/// The nodes that stay: those of the rules, and in a surface mesh those in which regions meet.
+std::vector<Index> held_nodes(const Topology& topology, const FeatureRules& rules) {
+  std::vector<Index> nodes = rules.hold;
+  if (is_surface(topology) &&
+      (rules.interfaces == Interfaces::held || rules.interfaces == Interfaces::automatic))
+    for (const RegionInterface& meeting : topology.interfaces())
+      nodes.insert(nodes.end(), meeting.nodes.begin(), meeting.nodes.end());
+  return nodes;
+}
+
+/// Only nodes inside a mesh slide where regions meet: those of its boundary stay.
+void keep_inside(const Topology& topology, SlidingBoundary& boundary) {
+  if (is_surface(topology)) return;
+  for (SlidingPart& part : boundary.parts)
+    if (part.of_regions)
+      std::erase_if(part.nodes, [&](Index node) { return topology.on_boundary(node); });
+  std::erase_if(boundary.parts, [](const SlidingPart& part) { return part.nodes.empty(); });
+}
+
 /// Removes held nodes from the nodes that slide. The curves and surfaces still run through them.
 void remove_held(SlidingBoundary& boundary, std::vector<Index> nodes) {
   std::ranges::sort(nodes);
@@ -54,6 +81,19 @@ void remove_held(SlidingBoundary& boundary, std::vector<Index> nodes) {
 }
 
 }  // namespace
+
+SlidingMarkers::SlidingMarkers(const Topology& topology, std::vector<Index> markers,
+                               Interfaces interfaces)
+    : all(interfaces == Interfaces::free || is_surface(topology)
+              ? topology.markers()
+              : topology.markers().with(interface_markers(topology))),
+      sliding(std::move(markers)),
+      of_mesh(static_cast<Index>(topology.markers().size())),
+      along_regions(is_surface(topology) && interfaces == Interfaces::slide &&
+                    !topology.interfaces().empty()) {
+  if (interfaces != Interfaces::slide) return;
+  for (Index m = of_mesh; m < static_cast<Index>(all.size()); ++m) sliding.push_back(m);
+}
 
 std::string text_of(Spacing spacing) {
   switch (spacing) {
@@ -78,7 +118,7 @@ SlidingBoundary SlidingBoundary::find(const Topology& topology, const Coordinate
   if (is_surface(topology) && !names.empty())
     throw UsageError("all nodes of a surface mesh slide: expected no marker, found \"" +
                      names.front() + "\"");
-  const std::vector<Index> markers = indices_of(topology, names);
+  const SlidingMarkers markers(topology, indices_of(topology, names), rules.interfaces);
   const bool plane = topology.kind() == MeshKind::plane;
   if (plane && reference)
     throw UsageError(reference->source + ": a reference surface is for meshes in space, and this " +
@@ -94,7 +134,8 @@ SlidingBoundary SlidingBoundary::find(const Topology& topology, const Coordinate
       throw UsageError("no node of marker \"" + name +
                        "\" can slide: each lies at a corner or meets another marker");
   }
-  remove_held(boundary, rules.hold);
+  keep_inside(topology, boundary);
+  remove_held(boundary, held_nodes(topology, rules));
   return boundary;
 }
 
@@ -106,18 +147,16 @@ Coordinates put_on(const SlidingBoundary& boundary, Coordinates x) {
   return x;
 }
 
-CornerMarkers::CornerMarkers(const Topology& topology, std::span<const Index> sliding)
-    : topology_(topology), sliding_(sliding.begin(), sliding.end()) {
-  const auto& markers = topology.markers();
-  for (Index m = 0; m < static_cast<Index>(markers.size()); ++m)
-    for (const Index node : markers.nodes(m)) markers_at_[node].push_back(m);
+CornerMarkers::CornerMarkers(const SlidingMarkers& markers) : markers_(markers) {
+  for (Index m = 0; m < static_cast<Index>(markers.all.size()); ++m)
+    for (const Index node : markers.all.nodes(m)) markers_at_[node].push_back(m);
   std::erase_if(markers_at_, [](const auto& entry) { return entry.second.size() < 2; });
 }
 
 bool CornerMarkers::meets_sliding(Index node) const {
   const auto found = markers_at_.find(node);
   return found != markers_at_.end() &&
-         std::ranges::any_of(found->second, [&](Index m) { return slides(m); });
+         std::ranges::any_of(found->second, [&](Index m) { return markers_.slides(m); });
 }
 
 void CornerMarkers::require_both(const Coordinates& x, const PeriodicPair& pair) const {
@@ -126,7 +165,7 @@ void CornerMarkers::require_both(const Coordinates& x, const PeriodicPair& pair)
   const Index there = first ? pair.node : pair.image;
   std::string name;
   for (const Index m : markers_at_.at(there))
-    if (slides(m)) name = topology_.markers()[at(m)].name;
+    if (markers_.slides(m)) name = markers_.name(m);
   refuse_corner(x, there, first ? pair.image : pair.node, name,
                 "is on none that does: expected both to slide, or neither");
 }
@@ -136,9 +175,9 @@ std::optional<Index> CornerMarkers::sliding_at(Index node, const PeriodicPairs& 
   if (found == markers_at_.end()) return std::nullopt;
   std::optional<Index> only;
   for (const Index m : found->second) {
-    const std::string& name = topology_.markers()[at(m)].name;
+    const std::string& name = markers_.name(m);
     if (name == pairs.first || name == pairs.second) continue;
-    if (only || !slides(m)) return std::nullopt;
+    if (only || !markers_.slides(m)) return std::nullopt;
     only = m;
   }
   return only;
@@ -158,12 +197,11 @@ namespace {
 /// Cuts one marker of a plane mesh at its features into chains of nodes.
 class ChainFinder {
  public:
-  ChainFinder(const Topology& topology, const Coordinates& x, Index marker,
+  ChainFinder(const Topology& topology, const Markers& markers, const Coordinates& x, Index marker,
               const FeatureRules& rules)
       : x_(x),
         feature_angle_(radians(rules.angle)),
         smooth_(rules.smooth.begin(), rules.smooth.end()) {
-    const auto& markers = topology.markers();
     for (const Face& face : markers[static_cast<std::size_t>(marker)].faces) {
       const auto [a, b] = face.edge();
       next_[a].push_back(b);
@@ -225,13 +263,13 @@ struct Stretch {
 
 class StretchFinder {
  public:
-  StretchFinder(const Topology& topology, const Coordinates& x, std::span<const Index> markers,
+  StretchFinder(const Topology& topology, const Coordinates& x, const SlidingMarkers& markers,
                 const FeatureRules& rules)
-      : x_(x), feature_angle_(radians(rules.angle)), at_corners_(topology, markers) {
+      : x_(x), feature_angle_(radians(rules.angle)), at_corners_(markers) {
     std::set<Index> smooth(rules.smooth.begin(), rules.smooth.end());
-    for (const Index marker : markers) {
-      const ChainFinder finder(topology, x, marker, rules);
-      finder.check_smooth(smooth, topology.markers()[at(marker)].name);
+    for (const Index marker : markers.sliding) {
+      const ChainFinder finder(topology, markers.all, x, marker, rules);
+      finder.check_smooth(smooth, markers.name(marker));
       for (Chain& chain : finder.find()) {
         std::vector<Index> passing;
         for (const Index node : chain.nodes)
@@ -321,7 +359,7 @@ class StretchFinder {
 }  // namespace
 
 SlidingBoundary sliding_on_curves(const Topology& topology, const Coordinates& x,
-                                  std::span<const Index> markers, const FeatureRules& rules,
+                                  const SlidingMarkers& markers, const FeatureRules& rules,
                                   std::span<const PeriodicPairs> periodic) {
   SlidingBoundary boundary;
   auto geometry = std::make_shared<SpaceGeometry>();
@@ -330,7 +368,8 @@ SlidingBoundary sliding_on_curves(const Topology& topology, const Coordinates& x
   boundary.bends = finder.bends();
   for (const Stretch& stretch : finder.stretches()) {
     const Chain& chain = stretch.chain;
-    SlidingPart part{topology.markers()[at(stretch.marker)].name, {}, stretch.passing};
+    SlidingPart part{markers.name(stretch.marker), {}, stretch.passing};
+    part.of_regions = markers.of_regions(stretch.marker);
     for (const PeriodicPair& corner : boundary.corners)
       if (!chain.closed &&
           (corner.node == chain.nodes.front() || corner.node == chain.nodes.back()))

@@ -84,6 +84,14 @@ class RememberedFeet final : public SlidingGeometry {
   mutable std::vector<Memory> memory_;
 };
 
+/// What nodes do in which regions of the mesh meet (Topology::interfaces()).
+enum class Interfaces {
+  automatic,  ///< held while a mesh is smoothed, free in a motion
+  held,       ///< stay where they are
+  slide,      ///< slide along the curve or the surface that the mesh has there
+  free        ///< as any other node
+};
+
 /// Rules for features of a boundary and for the nodes that slide.
 struct FeatureRules {
   double angle = 40;             ///< degrees by which a boundary turns at a corner or an edge
@@ -92,6 +100,10 @@ struct FeatureRules {
   /// Nodes at which the boundary counts as smooth, whatever its angle: they slide on the curve or
   /// the surface through them.
   std::vector<Index> smooth = {};
+  /// `held`, `automatic`: parts of the boundary end where regions meet. `slide`: they do, and the
+  /// nodes inside a plane or volume mesh in which regions meet slide, too. In a surface mesh the
+  /// nodes in which regions meet stay or slide.
+  Interfaces interfaces = Interfaces::free;
 
   bool operator==(const FeatureRules&) const = default;
 };
@@ -133,12 +145,13 @@ std::string text_of(Spacing spacing);
 
 /// A part of a marker without features, with its recognised curve or surface.
 struct SlidingPart {
-  std::string marker;
+  std::string marker;        ///< name of the marker, or of the interface (Topology::name_of())
   std::string description;   ///< "straight line", "circle of radius 10", "plane", "straight edge"
   std::vector<Index> nodes;  ///< nodes that slide on it
   /// All nodes of a curve with its ends; null for surfaces and for curves of a reference surface.
   std::shared_ptr<const CurveRow> row = {};
   Spacing spacing = Spacing::free;  ///< as a run found it (hold_spacing())
+  bool of_regions = false;          ///< where two regions meet: no part of a marker
 
   std::size_t sliding_nodes() const { return spacing == Spacing::stays ? 0 : nodes.size(); }
 };
@@ -159,6 +172,10 @@ struct SlidingPart {
 /// borders and between markers. Nodes on cuts that are on no feature line stay. The nodes between
 /// the cuts slide on the regions of the reference surface that are nearest to their part of the
 /// mesh.
+///
+/// Where regions meet (FeatureRules::interfaces), the faces between two of them are as a marker of
+/// their own inside the mesh. They are cut at their features, where they meet the boundary or a
+/// marker, and where more than two regions meet. The nodes there stay.
 ///
 /// FeatureRules::hold and FeatureRules::smooth override the feature angle for single nodes.
 ///

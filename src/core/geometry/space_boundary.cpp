@@ -72,15 +72,17 @@ void SpaceGeometry::add(std::shared_ptr<const SpaceCurve> curve, std::span<const
   pieces_.push_back({nullptr, std::move(curve)});
 }
 
-SlidingFaces sliding_faces(const Topology& topology, std::span<const Index> markers) {
+SlidingFaces sliding_faces(const Topology& topology, const SlidingMarkers& markers) {
   SlidingFaces out;
   out.stays.assign(at(topology.node_count()), 0);
-  for (const SurfaceFace& face : boundary_faces(topology)) {
-    if (is_surface(topology) || std::ranges::find(markers, face.marker) != markers.end())
+  for (const SurfaceFace& face : boundary_faces(topology, markers.all)) {
+    if (is_surface(topology) || markers.slides(face.marker))
       out.faces.push_back(face);
     else
       for (const Index node : face.nodes) out.stays[at(node)] = 1;
   }
+  if (markers.along_regions)
+    for (SurfaceFace& face : out.faces) face.marker = topology.element_regions()[at(face.element)];
   return out;
 }
 
@@ -98,8 +100,8 @@ std::string edge_description(const SpaceCurve& curve) {
   return what == "straight line" ? "straight edge" : "edge, " + what;
 }
 
-std::string part_name(const Topology& topology, Index marker) {
-  return marker < 0 ? std::string("surface") : topology.markers()[at(marker)].name;
+std::string part_name(const SlidingMarkers& markers, Index marker) {
+  return marker < 0 || markers.along_regions ? std::string("surface") : markers.name(marker);
 }
 
 std::map<Index, Index> markers_at(std::span<const SurfaceFace> faces) {
@@ -117,21 +119,22 @@ namespace {
 /// Finds the surfaces and curves of the faces of sliding markers.
 class SurfaceFinder {
  public:
-  SurfaceFinder(const Topology& topology, const Coordinates& x, std::span<const Index> markers,
+  SurfaceFinder(const Topology& topology, const Coordinates& x, const SlidingMarkers& markers,
                 const FeatureRules& rules)
       : topology_(topology),
+        markers_(markers),
         coordinates_(x),
         x_(x),
         sliding_(sliding_faces(topology, markers)),
         features_(find_features(x, sliding_.faces, rules.angle, rules.smooth)),
-        at_corners_(topology, markers) {
+        at_corners_(markers) {
     require_smooth(rules, features_.nodes, sliding_.stays);
   }
 
   SlidingBoundary boundary(bool features, std::span<const PeriodicPairs> periodic) {
     curves_ = curves_along(x_, features_);
     for (const std::vector<Index>& region : features_.regions) add_region(region);
-    if (features) add_curves();
+    add_curves(features);
     for (const PeriodicPairs& pairs : periodic)
       if (!pairs.halo) add_corners(pairs);
     out_.geometry = geometry_;
@@ -147,11 +150,33 @@ class SurfaceFinder {
       if (sliding_.stays[at(node)] == 0) out_.bends.push_back(node);
   }
 
-  void add_curves() {
+  /// The border of two regions of a surface mesh that a feature line is; null if it is none.
+  const RegionInterface* border_along(const Chain& line) const {
+    if (!markers_.along_regions) return nullptr;
+    const RegionInterface* border = nullptr;
+    for (std::size_t k = 0; k + 1 < line.nodes.size(); ++k) {
+      const std::array<Index, 2> edge{std::min(line.nodes[k], line.nodes[k + 1]),
+                                      std::max(line.nodes[k], line.nodes[k + 1])};
+      const auto has_edge = [&](const RegionInterface& meeting) {
+        return std::ranges::binary_search(meeting.faces, edge, {}, &Face::edge);
+      };
+      if (border && has_edge(*border)) continue;
+      const auto found = std::ranges::find_if(topology_.interfaces(), has_edge);
+      if (border || found == topology_.interfaces().end()) return nullptr;
+      border = &*found;
+    }
+    return border;
+  }
+
+  /// all: nodes slide along every feature line; else along borders of regions alone.
+  void add_curves(bool all) {
+    if (!all && !markers_.along_regions) return;
     const std::map<Index, Index> marker_at = markers_at(sliding_.faces);
     for (std::size_t k = 0; k < curves_.curves.size(); ++k) {
       const auto& curve = curves_.curves[k];
       if (!curve) continue;
+      const RegionInterface* border = border_along(features_.lines[k]);
+      if (!all && !border) continue;
       std::vector<Index> nodes;
       for (const Index node : features_.lines[k].nodes)
         if (features_.nodes[at(node)] == SurfaceNode::line && sliding_.stays[at(node)] == 0)
@@ -161,9 +186,12 @@ class SurfaceFinder {
       const Chain& line = features_.lines[k];
       std::vector<Vec3> places;
       for (const Index node : line.nodes) places.push_back(x_[node]);
+      const Index marker = marker_at.at(nodes.front());
       out_.parts.push_back(
-          {part_name(topology_, marker_at.at(nodes.front())), edge_description(*curve), nodes,
+          {border ? topology_.name_of(*border) : part_name(markers_, marker),
+           edge_description(*curve), nodes,
            std::make_shared<const CurveRow>(line.nodes, line.closed, curve, places)});
+      out_.parts.back().of_regions = border || markers_.of_regions(marker);
     }
   }
 
@@ -186,9 +214,11 @@ class SurfaceFinder {
     if (!of.part) {
       of.part = out_.parts.size();
       out_.parts.push_back(
-          {part_name(topology_, sliding_.faces[at(features_.regions[region].front())].marker),
+          {part_name(markers_, sliding_.faces[at(features_.regions[region].front())].marker),
            of.surface->description(),
            {}});
+      out_.parts.back().of_regions =
+          markers_.of_regions(sliding_.faces[at(features_.regions[region].front())].marker);
     }
     auto& all = out_.parts[*of.part].nodes;
     all.insert(all.end(), nodes.begin(), nodes.end());
@@ -242,7 +272,7 @@ class SurfaceFinder {
     }
     if (off <= share * box.size().norm()) return;
     refuse_corner(coordinates_, pair.node, pair.image,
-                  part_name(topology_, sliding_.faces[at(features_.regions[from].front())].marker),
+                  part_name(markers_, sliding_.faces[at(features_.regions[from].front())].marker),
                   "is on a " + surface_of(to).description() +
                       ", which the image of that one is off by " + number_text(off));
   }
@@ -253,6 +283,7 @@ class SurfaceFinder {
   };
 
   const Topology& topology_;
+  const SlidingMarkers& markers_;
   const Coordinates& coordinates_;
   SpacePoints x_;
   SlidingFaces sliding_;
@@ -281,7 +312,7 @@ void require_smooth(const FeatureRules& rules, std::span<const SurfaceNode> node
 }
 
 SlidingBoundary sliding_on_surfaces(const Topology& topology, const Coordinates& x,
-                                    std::span<const Index> markers, const FeatureRules& rules,
+                                    const SlidingMarkers& markers, const FeatureRules& rules,
                                     std::span<const PeriodicPairs> periodic) {
   return SurfaceFinder(topology, x, markers, rules).boundary(rules.slide_along, periodic);
 }

@@ -38,12 +38,26 @@ std::vector<std::array<Index, 2>> features_of(const Mesh& mesh, const SlideOptio
   return features;
 }
 
+/// Adds what was found of interfaces. held: receives the nodes that stay because regions meet
+/// there.
+void add_interfaces(const InterfaceReport& report, NodeRoles& out, std::vector<Index>& held) {
+  for (const InterfaceNodes& nodes : report.each)
+    if (nodes.held > 0)
+      out.found.push_back(nodes.regions + ": " + std::to_string(nodes.held) +
+                          (nodes.held == 1 ? " node stays" : " nodes stay") +
+                          " where these regions meet");
+  held = report.held;
+}
+
 /// The classes of nodes with these options; none if the boundary cannot move like this.
-std::optional<NodeClasses> classes_of(const Mesh& mesh, const ResolvedSlide& slide,
-                                      const std::vector<std::string>& moving, NodeRoles& out) {
+std::optional<NodeClasses> classes_of(const Mesh& mesh, ResolvedSlide slide,
+                                      const std::vector<std::string>& moving, NodeRoles& out,
+                                      std::vector<Index>& where_regions_meet) {
   NodeClasses classes(mesh.topology);
   try {
+    slide.interfaces = interfaces_in(slide.interfaces, !moving.empty());
     MovingBoundary boundary = make_boundary_move(slide, mesh, {}, classes);
+    add_interfaces(boundary.interfaces, out, where_regions_meet);
     const Markers& markers = mesh.topology->markers();
     for (const std::string& name : moving)
       if (const auto m = markers.find(name)) classes.set_prescribed(markers.nodes(*m));
@@ -57,6 +71,7 @@ std::optional<NodeClasses> classes_of(const Mesh& mesh, const ResolvedSlide& sli
   } catch (const Error& error) {
     out.fault = error.what();
     out.found.clear();
+    where_regions_meet.clear();
     return std::nullopt;
   }
 }
@@ -89,8 +104,12 @@ std::vector<unsigned char> marked(const Mesh& mesh, const std::vector<std::strin
   return flags;
 }
 
-/// Sets the roles of nodes that the options name, and counts all roles.
-void set_overridden(const SlideOptions& slide, NodeRoles& out) {
+/// Sets the roles of nodes that stay because regions meet there, then those of nodes that the
+/// options name, and counts all roles.
+void set_held(const SlideOptions& slide, std::span<const Index> where_regions_meet,
+              NodeRoles& out) {
+  for (const Index node : where_regions_meet)
+    if (out.roles[at(node)] != NodeRole::moves) out.roles[at(node)] = NodeRole::regions;
   const auto known = [&](Index node) { return node >= 0 && at(node) < out.roles.size(); };
   for (const std::vector<Index>* nodes : {&slide.hold_nodes, &slide.smooth_nodes})
     std::ranges::copy_if(*nodes, std::back_inserter(out.overridden), known);
@@ -107,9 +126,11 @@ NodeRoles surface_roles(const MeshState& state, const ResolvedSlide& slide) {
   NodeClasses classes(state.mesh.topology);
   // A node that could slide and is held, to fix the rotation of a sphere, is no corner.
   std::vector<unsigned char> could_slide(at(topology.node_count()), 0);
+  std::vector<Index> where_regions_meet;
   try {
     const auto shape = surface_shape(state, slide);
     slide_on_surface(*shape, state.mesh.coordinates, classes);
+    add_interfaces(interfaces_of_surface(*shape, classes), out, where_regions_meet);
     out.bends = shape->boundary.bends;
     for (const SlidingPart& part : shape->boundary.parts) {
       out.found.push_back(part.description);
@@ -124,7 +145,7 @@ NodeRoles surface_roles(const MeshState& state, const ResolvedSlide& slide) {
                             ? role_of(classes[node], false, could_slide[at(node)] == 0)
                             : NodeRole::fixed);
   }
-  set_overridden(slide, out);
+  set_held(slide, where_regions_meet, out);
   const std::vector<SurfaceFace> faces = boundary_faces(topology);
   const SurfaceEdges edges = surface_edges(faces);
   const SpacePoints x(state.mesh.coordinates);
@@ -145,7 +166,8 @@ NodeRoles node_roles(const MeshState& state, const ResolvedSlide& slide,
 NodeRoles node_roles(const Mesh& mesh, const ResolvedSlide& slide,
                      const std::vector<std::string>& moving) {
   NodeRoles out;
-  const auto found = classes_of(mesh, slide, moving, out);
+  std::vector<Index> where_regions_meet;
+  const auto found = classes_of(mesh, slide, moving, out, where_regions_meet);
   const NodeClasses classes = found ? *found : NodeClasses(mesh.topology);
   const std::vector<unsigned char> sliding =
       marked(mesh, found ? slide.markers : std::vector<std::string>());
@@ -157,7 +179,7 @@ NodeRoles node_roles(const Mesh& mesh, const ResolvedSlide& slide,
                        ? NodeRole::moves
                        : role_of(classes[node], classes.tied().has_image(node), sliding[i] != 0);
   }
-  set_overridden(slide, out);
+  set_held(slide, where_regions_meet, out);
   if (mesh.topology->kind() == MeshKind::volume) out.features = features_of(mesh, slide);
   return out;
 }

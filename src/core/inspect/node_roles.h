@@ -15,9 +15,10 @@ enum class NodeRole : std::uint8_t {
   on_surface,  ///< slides on a surface
   periodic,    ///< moves together with its partner across a periodic boundary
   moves,       ///< moved by a motion
-  held         ///< stays because the options name it
+  held,        ///< stays because the options name it
+  regions      ///< inside: stays because regions of the mesh meet there
 };
-inline constexpr std::size_t node_role_count = 8;
+inline constexpr std::size_t node_role_count = 9;
 
 struct NodeRoles {
   std::vector<NodeRole> roles;  ///< #nodes; nodes that no element uses are fixed
@@ -28,8 +29,8 @@ struct NodeRoles {
   /// Edges of a surface mesh, or of the sliding markers of a volume mesh, at which faces turn by
   /// more than the feature angle, a marker ends, or two markers meet.
   std::vector<std::array<Index, 2>> features;
-  /// Recognised curves, surfaces and periodic sides: "far: circle of radius 10", "lower and upper:
-  /// translation by (0, 1)".
+  /// Recognised curves, surfaces, periodic sides and interfaces: "far: circle of radius 10", "lower
+  /// and upper: translation by (0, 1)", "rock and sand: 42 nodes stay where these regions meet".
   std::vector<std::string> found;
   /// Why the boundary cannot move as the options say; empty if it can. If it cannot, it stays.
   std::string fault;

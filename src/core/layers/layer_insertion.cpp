@@ -201,8 +201,6 @@ class Inserter {
   MeshData outside_data() const {
     MeshData outside = data_;
     outside.markers.clear();
-    outside.regions.clear();
-    outside.element_region.clear();
     std::set<Index> inside;  // edges, by their index in the topology
     for (const Marker& marker : topology_.markers()) {
       for (const Face& face : marker.faces) {

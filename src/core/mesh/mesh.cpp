@@ -20,36 +20,16 @@ std::string turned_text(const Topology& topology) {
          texts[static_cast<std::size_t>(topology.kind())];
 }
 
-/// Number of faces between regions that have a node inside the mesh.
-Index loose_region_faces(const Topology& topology) {
-  const auto regions = topology.element_regions();
-  if (regions.empty()) return 0;
-  Index loose = 0;
-  for (Index f = 0; f < topology.face_count(); ++f) {
-    const Topology::SharedFace face = topology.face(f);
-    const auto [a, b] = face.elements;
-    if (b < 0 || regions[at(a)] == regions[at(b)]) continue;
-    loose +=
-        std::ranges::all_of(face.nodes, [&](Index i) { return topology.on_boundary(i); }) ? 0 : 1;
-  }
-  return loose;
-}
-
 void add_warnings(const Topology& topology, std::vector<std::string>& warnings) {
-  const std::string faces = std::string(words_of(topology.kind()).face) + "s";
   Index unused = 0;
   for (Index i = 0; i < topology.node_count(); ++i) unused += topology.used(i) ? 0 : 1;
   if (unused > 0) {
     warnings.push_back(std::to_string(unused) + " nodes belong to no element; they are kept");
   }
   if (topology.markers().unmarked_faces() > 0) {
-    warnings.push_back(std::to_string(topology.markers().unmarked_faces()) + " boundary " + faces +
-                       " belong to no marker; their nodes stay where they are");
-  }
-  if (const Index loose = loose_region_faces(topology); loose > 0) {
-    warnings.push_back(std::to_string(loose) + " " + faces +
-                       " where regions meet belong to no marker: smoothing moves their nodes; give "
-                       "them a marker to hold them");
+    warnings.push_back(std::to_string(topology.markers().unmarked_faces()) + " boundary " +
+                       std::string(words_of(topology.kind()).face) +
+                       "s belong to no marker; their nodes stay where they are");
   }
   if (topology.reversed_elements() > 0) warnings.push_back(turned_text(topology));
 }

@@ -33,6 +33,15 @@ struct Region {
   int tag = 0;
 };
 
+/// Where two regions meet: the faces between them that belong to no marker. These are edges of a
+/// plane or surface mesh.
+struct RegionInterface {
+  /// Indices into Topology::regions(), ascending; -1, which comes last: elements without a region.
+  std::array<Index, 2> regions;
+  std::vector<Face> faces;   ///< in the order of Topology::face()
+  std::vector<Index> nodes;  ///< of the faces, ascending
+};
+
 /// Plane meshes have elements of two dimensions in the plane, surface meshes elements of two
 /// dimensions in space, volume meshes elements of three dimensions.
 enum class MeshKind { plane, surface, volume };
@@ -110,8 +119,11 @@ class Markers {
   std::vector<Index> nodes_of(std::span<const std::string> names) const;
   /// Boundary faces that belong to no marker.
   Index unmarked_faces() const { return unmarked_faces_; }
+  /// These markers and more of them behind, such as parts of the inside of a mesh.
+  Markers with(std::span<const Marker> more) const;
 
  private:
+  void add_nodes_of(const Marker& marker);
   friend class TopologyBuilder;
 
   std::vector<Marker> list_;

@@ -7,6 +7,10 @@
 namespace winslow {
 
 std::vector<SurfaceFace> boundary_faces(const Topology& topology) {
+  return boundary_faces(topology, topology.markers());
+}
+
+std::vector<SurfaceFace> boundary_faces(const Topology& topology, const Markers& markers) {
   if (is_surface(topology)) {
     std::vector<SurfaceFace> elements;
     for (Index e = 0; e < topology.element_count(); ++e)
@@ -15,8 +19,8 @@ std::vector<SurfaceFace> boundary_faces(const Topology& topology) {
   }
   require_kind(topology, MeshKind::volume, "surfaces of elements");
   std::vector<Index> marker_of(at(topology.face_count()), -1);
-  for (std::size_t m = 0; m < topology.markers().size(); ++m) {
-    for (const Face& face : topology.markers()[m].faces) {
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    for (const Face& face : markers[m].faces) {
       if (const auto f = topology.find_face(face)) marker_of[at(*f)] = static_cast<Index>(m);
     }
   }

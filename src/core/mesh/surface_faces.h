@@ -16,6 +16,8 @@ struct SurfaceFace {
 /// The boundary faces of a volume mesh and the faces of markers inside it, each once. For a surface
 /// mesh, all elements.
 std::vector<SurfaceFace> boundary_faces(const Topology& topology);
+/// The same with other markers than those of the topology.
+std::vector<SurfaceFace> boundary_faces(const Topology& topology, const Markers& markers);
 
 /// The closed surface around chosen elements of a volume mesh: the faces that belong to only one of
 /// them. For a surface mesh, the chosen elements themselves. chosen: not 0 for a chosen element

@@ -20,6 +20,7 @@ class TopologyBuilder {
   void build_volume();
   void make_markers();
   void list_marker_nodes();
+  void find_interfaces(const std::vector<bool>& marked);
   void classify_nodes();
 
   const MeshData& data_;
@@ -108,6 +109,15 @@ void require_kind(const Topology& topology, MeshKind kind, std::string_view what
 void require_volume(const Topology& topology, std::string_view found) {
   if (topology.cell_dimension() == 3) return;
   throw UsageError(std::string(found) + std::string(mesh_kind(topology)));
+}
+
+std::vector<Index> interface_nodes_inside(const Topology& topology) {
+  std::vector<Index> nodes;
+  for (const RegionInterface& meeting : topology.interfaces())
+    for (const Index node : meeting.nodes)
+      if (!topology.on_boundary(node)) nodes.push_back(node);
+  sort_unique(nodes);
+  return nodes;
 }
 
 std::vector<Face> node_link(const Topology& topology, Index node) {
@@ -302,22 +312,45 @@ void TopologyBuilder::list_marker_nodes() {
   std::vector<bool> marked(at(topology_->face_count()), false);
   const std::vector<Marker>& markers = topology_->markers_.list_;
   for (std::size_t m = 0; m < markers.size(); ++m) {
-    std::vector<Index> nodes;
     for (std::size_t k = 0; k < markers[m].faces.size(); ++k) {
       const Face& face = markers[m].faces[k];
       const auto found = topology_->find_face(face);
       if (!found) refuse_marker_face(*topology_, m, k);
       marked[at(*found)] = true;
-      nodes.insert(nodes.end(), face.begin(), face.end());
     }
-    sort_unique(nodes);
-    CompressedRows& rows = topology_->markers_.nodes_;
-    rows.values.insert(rows.values.end(), nodes.begin(), nodes.end());
-    rows.end_row();
+    topology_->markers_.add_nodes_of(markers[m]);
   }
   for_boundary_faces(*topology_, [&](Index f, const auto&) {
     if (!marked[at(f)]) ++topology_->markers_.unmarked_faces_;
   });
+  find_interfaces(marked);
+}
+
+/// marked: whether a face belongs to a marker (#faces).
+void TopologyBuilder::find_interfaces(const std::vector<bool>& marked) {
+  const std::vector<Index>& of = topology_->element_region_;
+  if (std::ranges::adjacent_find(of, std::ranges::not_equal_to()) == of.end()) return;
+  // Elements without a region come last: as the largest number that there is.
+  const auto number = [&](Index element) {
+    const Index region = of[at(element)];
+    return region < 0 ? std::numeric_limits<Index>::max() : region;
+  };
+  std::map<std::array<Index, 2>, RegionInterface> between;
+  for (Index f = 0; f < topology_->face_count(); ++f) {
+    const Topology::SharedFace face = topology_->face(f);
+    const auto [a, b] = face.elements;
+    if (b < 0 || of[at(a)] == of[at(b)] || marked[at(f)]) continue;
+    between[{std::min(number(a), number(b)), std::max(number(a), number(b))}].faces.push_back(
+        face.nodes);
+  }
+  for (auto& [regions, meeting] : between) {
+    const auto count = static_cast<Index>(topology_->regions_.size());
+    meeting.regions = {regions[0], regions[1] < count ? regions[1] : -1};
+    for (const Face& face : meeting.faces)
+      meeting.nodes.insert(meeting.nodes.end(), face.begin(), face.end());
+    sort_unique(meeting.nodes);
+    topology_->interfaces_.push_back(std::move(meeting));
+  }
 }
 
 void TopologyBuilder::classify_nodes() {
@@ -331,6 +364,30 @@ void TopologyBuilder::classify_nodes() {
       topology_->interior_nodes_.push_back(node);
     }
   }
+}
+
+std::string Topology::name_of(const RegionInterface& meeting) const {
+  const auto name = [&](Index region) {
+    return region < 0 ? std::string("no region") : regions_[at(region)].name;
+  };
+  return name(meeting.regions[0]) + " and " + name(meeting.regions[1]);
+}
+
+void Markers::add_nodes_of(const Marker& marker) {
+  std::vector<Index> nodes;
+  for (const Face& face : marker.faces) nodes.insert(nodes.end(), face.begin(), face.end());
+  sort_unique(nodes);
+  nodes_.values.insert(nodes_.values.end(), nodes.begin(), nodes.end());
+  nodes_.end_row();
+}
+
+Markers Markers::with(std::span<const Marker> more) const {
+  Markers all = *this;
+  for (const Marker& marker : more) {
+    all.list_.push_back(marker);
+    all.add_nodes_of(marker);
+  }
+  return all;
 }
 
 std::optional<Index> Markers::find(std::string_view name) const {

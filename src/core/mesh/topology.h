@@ -98,6 +98,12 @@ class Topology {
   const std::vector<Region>& regions() const { return regions_; }
   /// Region of each element (index into regions() or -1); empty if there are no regions.
   std::span<const Index> element_regions() const { return element_region_; }
+  /// Where regions meet, in the order of their numbers; empty for a mesh of one region. A node of
+  /// several interfaces is in each of them. Faces of a marker separate no regions: their nodes
+  /// belong to the marker.
+  const std::vector<RegionInterface>& interfaces() const { return interfaces_; }
+  /// The names of the two regions of an interface: "rock and sand", "rock and no region".
+  std::string name_of(const RegionInterface& meeting) const;
 
   /// Number of elements whose orientation was reversed on load.
   Index reversed_elements() const { return reversed_; }
@@ -128,6 +134,7 @@ class Topology {
   Markers markers_;
   std::vector<Region> regions_;
   std::vector<Index> element_region_;
+  std::vector<RegionInterface> interfaces_;
   Index reversed_ = 0;
   mutable std::once_flag half_edges_made_;
   mutable std::unique_ptr<HalfEdgeMesh> half_edges_;
@@ -165,6 +172,9 @@ void for_boundary_faces(const Topology& topology, const Visit& visit) {
     if (face.elements[1] < 0) visit(f, face);
   }
 }
+
+/// The nodes inside the mesh, not of its boundary or of a marker, in which regions meet; ascending.
+std::vector<Index> interface_nodes_inside(const Topology& topology);
 
 /// The link of a node:
 ///

@@ -170,6 +170,10 @@ void ChoiceOption::choose(std::size_t item) const {
   *std::get<std::string*>(value_) = items_[item].name;
 }
 
+bool ChoiceOption::has_flags() const {
+  return std::ranges::any_of(items_, [](const ChoiceItem& item) { return !item.flag.empty(); });
+}
+
 bool ChoiceOption::choose(std::string_view name) const {
   for (std::size_t i = 0; i < items_.size(); ++i) {
     if (items_[i].name != name) continue;

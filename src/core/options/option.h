@@ -106,6 +106,9 @@ struct ChoiceItem {
   std::string label;  ///< on forms
   std::string_view help = {};
   bool applies = true;  ///< compatible with the other options
+  /// Without dashes: the flag that chooses it. The option then has no flag of its own, and choices
+  /// without a flag are what holds without one.
+  std::string_view flag = {};
 };
 
 /// One of several named choices: an enumerator (items in the order of the enumeration) or a name.
@@ -128,6 +131,8 @@ class ChoiceOption {
   /// Returns false and changes nothing if no item has this name.
   bool choose(std::string_view name) const;
   std::string names(const char* separator = ", ") const;
+  /// Whether each choice has a flag of its own on the command line, instead of the option.
+  bool has_flags() const;
 
  private:
   struct Enumerator {

@@ -51,8 +51,9 @@ NodeUnknowns::NodeUnknowns(std::shared_ptr<const NodeClasses> classes, int threa
 void NodeUnknowns::require_free_interior(const char* what) const {
   for (const Index node : nodes()) {
     if ((*classes_)[node] == NodeClass::free && !topology().on_boundary(node)) continue;
-    throw UsageError(std::string(what) + ": node " + std::to_string(node) +
-                     " of the boundary is to slide, and only interior nodes can move");
+    const char* where = topology().on_boundary(node) ? " of the boundary" : ", where regions meet,";
+    throw UsageError(std::string(what) + ": node " + std::to_string(node) + where +
+                     " is to slide, and only free nodes can move");
   }
 }
 

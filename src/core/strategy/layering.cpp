@@ -67,6 +67,7 @@ LayerInsertion make_room(const LayerRequest& request, const MeshState& state, Ru
   smooth.linear = request.smooth.linear;
   smooth.tolerance = 1e-3;
   smooth.targets = TargetBlend::automatically();
+  smooth.slide.interfaces = interfaces_in(request.smooth.slide.interfaces, false);
   constexpr int most_attempts = 6;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     LayerInsertion layers = insert_layers(state.mesh, plan);
@@ -90,7 +91,12 @@ LayerInsertion make_room(const LayerRequest& request, const MeshState& state, Ru
     for (std::size_t c = 0; c < all.size(); ++c) all[c] = c;
     reduce_room(plan, all, 0.95 * reached, LayerLimit::room, options, state.mesh.coordinates);
   }
-  throw NumericError("the elements outside cannot be pushed away to make room for the layers");
+  const bool held =
+      smooth.slide.interfaces != Interfaces::free && !state.mesh.topology->interfaces().empty();
+  throw NumericError(
+      std::string("the elements outside cannot be pushed away to make room for the layers") +
+      (held ? "; the nodes in which regions meet are held or slide: --free-interfaces lets them go"
+            : ""));
 }
 
 /// Sets the VCVs and the roles of elements for these layers.

@@ -130,17 +130,90 @@ OptionTable pair_rows(SlideOptions& slide) {
   };
 }
 
+OptionTable interface_rows(SlideOptions& slide) {
+  return {
+      {.key = "interfaces",
+       .value = ChoiceOption{slide.interfaces,
+                             {{.name = "auto",
+                               .label = "Auto",
+                               .help = "Held while a mesh is smoothed, free in a motion"},
+                              {.name = "held",
+                               .label = "Held",
+                               .help = "Nodes in which regions of the mesh meet stay where they "
+                                       "are, as smoothing without a motion has it anyway",
+                               .flag = "hold-interfaces"},
+                              {.name = "slide",
+                               .label = "Slide",
+                               .help = "Nodes in which regions of the mesh meet slide along the "
+                                       "curve or the surface that the mesh has there; corners and "
+                                       "places where more than two regions meet stay",
+                               .flag = "slide-interfaces"},
+                              {.name = "free",
+                               .label = "Free",
+                               .help = "Nodes in which regions of the mesh meet move as any other "
+                                       "node, as motions have it anyway",
+                               .flag = "free-interfaces"}}},
+       .label = "Where regions meet",
+       .help = "What nodes do in which regions of the mesh meet: the physical groups or references "
+               "of its elements",
+       .advice =
+           "Slide where elements beside an interface should get better and the interface must "
+           "keep its shape.",
+       .object = "slide",
+       .applies = slide.interfaces != Interfaces::automatic},
+  };
+}
+
 }  // namespace
 
 OptionTable option_table(SlideOptions& slide) {
   OptionTable table = sliding_rows(slide);
-  for (auto* rows : {spacing_rows, node_rows, pair_rows})
+  for (auto* rows : {spacing_rows, node_rows, pair_rows, interface_rows})
     for (Option& row : rows(slide)) table.push_back(std::move(row));
   return table;
 }
 
 FeatureRules feature_rules(const SlideOptions& slide) {
-  return {slide.feature_angle, slide.features, slide.hold_nodes, slide.smooth_nodes};
+  FeatureRules rules{slide.feature_angle, slide.features, slide.hold_nodes, slide.smooth_nodes};
+  if (interfaces_in(slide.interfaces, false) != Interfaces::free)
+    rules.interfaces = Interfaces::held;
+  return rules;
+}
+
+Interfaces interfaces_in(Interfaces wanted, bool motion) {
+  if (wanted != Interfaces::automatic) return wanted;
+  return motion ? Interfaces::free : Interfaces::held;
+}
+
+namespace {
+
+/// "holds 42", "slides 40 and holds 2", "leaves free 42".
+std::string what_they_do(const InterfaceNodes& nodes) {
+  std::string text;
+  const auto add = [&](const char* verb, Index count) {
+    if (count > 0) text += (text.empty() ? "" : " and ") + (verb + std::to_string(count));
+  };
+  add("slides ", nodes.sliding);
+  add("holds ", nodes.held);
+  add("leaves free ", nodes.free);
+  return text;
+}
+
+}  // namespace
+
+std::string text_of(const InterfaceReport& report) {
+  if (report.all.count() == 0) return {};
+  const std::string text =
+      what_they_do(report.all) + (report.all.count() == 1 ? " node" : " nodes") + " in which ";
+  if (report.each.size() == 1) return text + "the regions " + report.each.front().regions + " meet";
+  constexpr std::size_t few = 3;
+  std::string list;
+  for (std::size_t k = 0; k < report.each.size() && k < few; ++k)
+    list += (k == 0 ? "" : ", ") + report.each[k].regions + ' ' +
+            std::to_string(report.each[k].count());
+  if (report.each.size() > few)
+    list += " and " + std::to_string(report.each.size() - few) + " more";
+  return text + "regions meet (" + list + ")";
 }
 
 bool stop_sliding(SlideOptions& slide, const std::string& marker) {
@@ -243,6 +316,62 @@ void keep_sliding_corners(const std::vector<PeriodicPair>& sliding, const NodeCl
   });
 }
 
+/// Removes the nodes of a motion, which takes them, from the parts where regions meet.
+void leave_to_motion(std::span<const Index> taken, std::vector<SlidingPart>& parts) {
+  for (SlidingPart& part : parts)
+    std::erase_if(part.nodes, [&](Index node) { return std::ranges::binary_search(taken, node); });
+  std::erase_if(parts, [](const SlidingPart& part) { return part.nodes.empty(); });
+}
+
+/// Sets the nodes of a boundary to slide. Returns the corners of periodic sides that do.
+std::vector<PeriodicPair> add_sliding(const Mesh& mesh, SlidingBoundary boundary,
+                                      std::span<const Index> taken, MovingBoundary& out,
+                                      NodeClasses& classes) {
+  for (SlidingPart& part : boundary.parts) {
+    if (!part.of_regions) require_at_rest(part.marker, part.nodes, taken);
+    classes.set_sliding(part.nodes, boundary.geometry, mesh.coordinates);
+    out.sliding.push_back(std::move(part));
+  }
+  out.bends.insert(out.bends.end(), boundary.bends.begin(), boundary.bends.end());
+  sort_unique(out.bends);
+  return std::move(boundary.corners);
+}
+
+/// Counts the nodes in which regions meet and that could move, and fixes those that are held.
+InterfaceReport hold_interfaces(const Topology& topology, Interfaces wanted,
+                                std::span<const Index> taken, NodeClasses& classes) {
+  InterfaceReport report;
+  std::map<Index, InterfaceNodes> of_node;  // one count of each is 1
+  const auto count = [&](Index node) {
+    InterfaceNodes what;
+    const bool sliding =
+        wanted == Interfaces::slide && classes.slides(node) && !topology.on_boundary(node);
+    (wanted == Interfaces::free ? what.free : sliding ? what.sliding : what.held) = 1;
+    return what;
+  };
+  const auto add = [](const InterfaceNodes& one, InterfaceNodes& sum) {
+    sum.held += one.held;
+    sum.sliding += one.sliding;
+    sum.free += one.free;
+  };
+  for (const RegionInterface& meeting : topology.interfaces()) {
+    InterfaceNodes sum{topology.name_of(meeting)};
+    for (const Index node : meeting.nodes) {
+      const bool moves = classes.moves(node) || !topology.on_boundary(node);
+      if (!moves || std::ranges::binary_search(taken, node)) continue;
+      const auto [place, is_new] = of_node.try_emplace(node, count(node));
+      add(place->second, sum);
+      if (!is_new) continue;
+      add(place->second, report.all);
+      if (place->second.held > 0) report.held.push_back(node);
+    }
+    if (sum.count() > 0) report.each.push_back(std::move(sum));
+  }
+  std::ranges::sort(report.held);
+  classes.set_fixed(report.held);
+  return report;
+}
+
 }  // namespace
 
 MovingBoundary make_boundary_move(const ResolvedSlide& slide, const Mesh& mesh,
@@ -250,22 +379,36 @@ MovingBoundary make_boundary_move(const ResolvedSlide& slide, const Mesh& mesh,
   MovingBoundary out;
   std::vector<Index> taken(moving.begin(), moving.end());
   std::ranges::sort(taken);
-  if (slide.markers.empty() && !slide.smooth_nodes.empty())
+  const Topology& topology = *mesh.topology;
+  const Interfaces wanted = interfaces_in(slide.interfaces, !moving.empty());
+  const bool slides_inside = wanted == Interfaces::slide && !topology.interfaces().empty();
+  if (slide.markers.empty() && !slides_inside && !slide.smooth_nodes.empty())
     throw UsageError("smooth_nodes: no marker slides: name the marker of node " +
                      std::to_string(slide.smooth_nodes.front()));
   out.periodic = find_pairs(slide, mesh);
   std::vector<PeriodicPair> corners;
+  FeatureRules rules = feature_rules(slide), inside = rules;
+  if (slides_inside) {
+    const std::vector<Index> nodes = interface_nodes_inside(topology);
+    const auto is_inside = [&](Index node) { return std::ranges::binary_search(nodes, node); };
+    std::erase_if(rules.smooth, is_inside);
+    std::erase_if(inside.smooth, std::not_fn(is_inside));
+  }
+  rules.interfaces = wanted == Interfaces::free ? Interfaces::free : Interfaces::held;
+  inside.interfaces = Interfaces::slide;
   if (!slide.markers.empty()) {
-    SlidingBoundary boundary =
-        SlidingBoundary::find(*mesh.topology, mesh.coordinates, slide.markers, feature_rules(slide),
-                              slide.files().reference.get(), out.periodic);
-    for (const SlidingPart& part : boundary.parts) {
-      require_at_rest(part.marker, part.nodes, taken);
-      classes.set_sliding(part.nodes, boundary.geometry, mesh.coordinates);
-    }
-    out.sliding = std::move(boundary.parts);
-    out.bends = std::move(boundary.bends);
-    corners = std::move(boundary.corners);
+    corners = add_sliding(mesh,
+                          SlidingBoundary::find(topology, mesh.coordinates, slide.markers, rules,
+                                                slide.files().reference.get(), out.periodic),
+                          taken, out, classes);
+  } else if (slides_inside && !rules.smooth.empty()) {
+    throw UsageError("smooth_nodes: no marker of node " + std::to_string(rules.smooth.front()) +
+                     " slides, and no two regions meet there: name its marker");
+  }
+  if (slides_inside) {
+    SlidingBoundary boundary = SlidingBoundary::find(topology, mesh.coordinates, {}, inside);
+    leave_to_motion(taken, boundary.parts);
+    add_sliding(mesh, std::move(boundary), taken, out, classes);
   }
   for (PeriodicPairs& pairs : out.periodic) {
     keep_sliding_corners(corners, classes, pairs);
@@ -277,6 +420,7 @@ MovingBoundary make_boundary_move(const ResolvedSlide& slide, const Mesh& mesh,
       }
     classes.set_periodic(pairs);
   }
+  out.interfaces = hold_interfaces(topology, wanted, taken, classes);
   hold(slide, taken, classes);
   out.held = static_cast<Index>(slide.hold_nodes.size());
   return out;

@@ -34,6 +34,7 @@ struct SlideOptions {
   std::vector<Index> smooth_nodes;    ///< sliding nodes that are never corners, whatever the angle
   std::vector<std::string> periodic;  ///< names of markers, pair after pair
   bool periodic_from_file = false;    ///< also the pairs that the mesh file names
+  Interfaces interfaces = Interfaces::automatic;  ///< nodes in which regions of the mesh meet
 
   bool has_pairs() const { return !periodic.empty() || periodic_from_file; }
   /// True if the user asks for held spacing; `automatic` may hold it as well.
@@ -44,7 +45,11 @@ struct SlideOptions {
 
 OptionTable option_table(SlideOptions& slide);
 
+/// The rules for sliding markers: these end where regions meet, unless the nodes there are free.
 FeatureRules feature_rules(const SlideOptions& slide);
+/// What nodes do in which regions meet, where the options leave it open (Interfaces::automatic): a
+/// motion leaves them free, smoothing without one holds them.
+Interfaces interfaces_in(Interfaces wanted, bool motion);
 /// Removes a marker from the sliding ones. Returns whether it was one.
 bool stop_sliding(SlideOptions& slide, const std::string& marker);
 
@@ -70,6 +75,25 @@ class ResolvedSlide : public SlideOptions {
   SlideFiles files_;
 };
 
+/// The number of nodes in which regions meet that stay, slide and are free in a run. Nodes of the
+/// boundary count if they are of a periodic side, or of a part that slides and is free there.
+struct InterfaceNodes {
+  std::string regions;  ///< Topology::name_of()
+  Index held = 0, sliding = 0, free = 0;
+
+  Index count() const { return held + sliding + free; }
+};
+
+/// What a run does with the nodes in which regions meet.
+struct InterfaceReport {
+  std::vector<InterfaceNodes> each;  ///< of each interface that has such nodes
+  InterfaceNodes all;                ///< each node once; without a name
+  std::vector<Index> held;           ///< nodes that stay because regions meet there, ascending
+};
+
+/// As a clause: "holds 42 nodes in which the regions rock and sand meet"; empty if there are none.
+std::string text_of(const InterfaceReport& report);
+
 /// How the moving boundary nodes were classified.
 struct MovingBoundary {
   std::vector<SlidingPart> sliding;
@@ -78,11 +102,14 @@ struct MovingBoundary {
   Index held = 0;            ///< number of nodes that were named to stay
   /// Sliding nodes that give way to a body that stands on their boundary: see let_bodies_slide().
   std::vector<Index> yielding;
+  InterfaceReport interfaces;
 };
 
-/// Sets the nodes of the markers to slide, couples those of the pairs, and fixes the nodes to hold.
-/// Throws UsageError as SlidingBoundary::find(), PeriodicPairs::find() and PeriodicPairs::of() do,
-/// and if one of these nodes is in `moving`, the nodes of a motion.
+/// Sets the nodes of the markers to slide, couples those of the pairs, fixes the nodes to hold, and
+/// holds nodes in which regions meet or lets them slide. `automatic` interfaces are free if
+/// `moving` has nodes. A motion takes its nodes from an interface. Throws UsageError as
+/// SlidingBoundary::find(), PeriodicPairs::find() and PeriodicPairs::of() do, and if one of these
+/// nodes is in `moving`, the nodes of a motion.
 MovingBoundary make_boundary_move(const ResolvedSlide& slide, const Mesh& mesh,
                                   std::span<const Index> moving, NodeClasses& classes);
 

@@ -80,8 +80,9 @@ std::vector<SlidingPart*> held_parts(const SlideOptions& slide, const Mesh& mesh
   std::vector<SlidingPart*> held;
   std::map<std::string, bool> walls;
   for (SlidingPart& part : parts) {
-    // A curve with a node in hold_nodes slides freely on both sides of this node.
-    if (!part.row || std::ranges::any_of(slide.hold_nodes, [&](Index node) {
+    // A curve with a node in hold_nodes slides freely on both sides of this node, and so does what
+    // is of no marker.
+    if (!part.row || part.of_regions || std::ranges::any_of(slide.hold_nodes, [&](Index node) {
           return std::ranges::find(part.row->nodes(), node) != part.row->nodes().end();
         }))
       continue;

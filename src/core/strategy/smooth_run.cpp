@@ -89,6 +89,7 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
     result.boundary.held = static_cast<Index>(state.surface->rules.hold.size());
     for (SlidingPart& part : result.boundary.sliding)
       std::erase_if(part.nodes, [&](Index node) { return !classes->slides(node); });
+    result.boundary.interfaces = interfaces_of_surface(*state.surface, *classes);
     return classes;
   }
   const auto moving = motion ? motion->nodes() : std::span<const Index>();
@@ -103,14 +104,16 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
 }
 
 /// Moves the fixed interior nodes to their positions in the mesh. Returns how many of these are
-/// kept outside a region.
-Index keep_fixed(const MeshState& state, const NodeClasses& classes, const std::vector<Index>& held,
+/// kept outside a region: neither named nor where regions meet.
+Index keep_fixed(const MeshState& state, const NodeClasses& classes,
+                 const std::vector<Index>& named, const InterfaceReport& interfaces,
                  Coordinates& x) {
   const auto interior = classes.topology().interior_nodes();
   const auto kept = std::ranges::count_if(
       interior, [&](Index node) { return classes[node] == NodeClass::fixed; });
   if (kept > 0) x = unknowns_within(classes, x, state.mesh.coordinates);
-  const std::set<Index> alone(held.begin(), held.end());
+  std::set<Index> alone(named.begin(), named.end());
+  alone.insert(interfaces.held.begin(), interfaces.held.end());
   const auto held_inside = std::ranges::count_if(
       alone, [&](Index node) { return !classes.topology().on_boundary(node); });
   return state.surface ? 0 : static_cast<Index>(kept - held_inside);
@@ -233,7 +236,8 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& asked,
   CurveRows none;
   workspace.prepare(state, classes_of(state, nullptr, options, run, result, none), options,
                     options.targets.keep > 0 ? state.reference : nullptr);
-  result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes, x);
+  result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes,
+                                   result.boundary.interfaces, x);
   RunRecorder recorder(run.monitor, result, budget(options));
   smooth_at_end(state, workspace, recorder, x);
   follow_with_vcvs(state, workspace, recorder, x);
@@ -262,7 +266,8 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
                     state.reference);
   const auto with_held_rows = rows.empty() ? nullptr : with_rows(bodies, rows);
   const Motion& motion = with_held_rows ? *with_held_rows : bodies;
-  result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes, x);
+  result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes,
+                                   result.boundary.interfaces, x);
   RunRecorder recorder(run.monitor, result, budget(options));
   if (by_fixed_point(options)) {
     move_by_fixed_point(state.mesh.coordinates, motion, how.increments, options.max_iterations,
@@ -369,7 +374,8 @@ SurfaceOfMesh surface_of(const Mesh& volume, const SlidingBoundary& boundary,
   std::vector<Index> markers;
   for (const std::string& name : slide.markers)
     markers.push_back(*volume.topology->markers().find(name));
-  const SlidingFaces sliding = sliding_faces(*volume.topology, markers);
+  const SlidingFaces sliding =
+      sliding_faces(*volume.topology, {*volume.topology, markers, Interfaces::free});
   std::vector<Index> all;
   for (std::size_t f = 0; f < sliding.faces.size(); ++f) all.push_back(static_cast<Index>(f));
   SurfaceOfMesh out;
@@ -446,13 +452,15 @@ SmoothResult smooth_surface_first(const MeshState& state, const SmoothOptions& o
   held.targets = options.targets.or_else(TargetBlend::automatically());
   held.slide = {};
   held.slide.hold_nodes = slide.hold_nodes;
+  held.slide.interfaces = interfaces_in(slide.interfaces, false);
   const AlongBoundary motion(boundary, mesh.coordinates, there);
   const bool valid = check_validity(*mesh.topology, x, options.threads).inverted == 0;
   RunSequence sequence(run, result);
   // A mesh with inverted elements has no path to follow.
   sequence.move(state, motion, {.increments = valid ? 0 : 1}, held, nullptr, x);
   result.converged = result.converged && surface_converged;
-  result.boundary.sliding = boundary.parts;
+  auto& sliding = result.boundary.sliding;  // so far those where regions meet
+  sliding.insert(sliding.begin(), boundary.parts.begin(), boundary.parts.end());
   result.boundary.held = static_cast<Index>(slide.hold_nodes.size());
   return result;
 }

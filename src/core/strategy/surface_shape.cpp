@@ -1,5 +1,7 @@
 #include "core/strategy/surface_shape.h"
 
+#include <set>
+
 #include "core/error.h"
 #include "core/geometry/sliding_boundary.h"
 #include "core/mesh/index_sets.h"
@@ -22,7 +24,8 @@ std::shared_ptr<const SurfaceShape> surface_shape(const MeshState& state,
     throw UsageError(
         "sliding markers and periodic pairs: not for a surface mesh, all nodes of which slide");
   const SurfaceShape* known = state.surface.get();
-  const FeatureRules rules = feature_rules(options);
+  FeatureRules rules = feature_rules(options);
+  rules.interfaces = interfaces_in(options.interfaces, false);
   const auto& reference = options.files().reference;
   if (known && known->rules == rules && same_surface(known->reference.get(), reference.get()))
     return state.surface;
@@ -142,6 +145,31 @@ void slide_on_surface(const SurfaceShape& shape, const Coordinates& x, NodeClass
   classes.set_fixed(nodes_to_hold(topology, x, slides));
   classes.set_element_normals(
       std::make_shared<const ElementNormals>(shape.normals->with_geometry(geometry)));
+}
+
+InterfaceReport interfaces_of_surface(const SurfaceShape& shape, const NodeClasses& classes) {
+  const Topology& topology = classes.topology();
+  InterfaceReport report;
+  std::set<Index> counted;
+  const auto count = [&](Index node, InterfaceNodes& sum) {
+    (shape.rules.interfaces == Interfaces::free ? sum.free
+     : classes.slides(node)                     ? sum.sliding
+                                                : sum.held) += 1;
+  };
+  for (const RegionInterface& meeting : topology.interfaces()) {
+    InterfaceNodes sum{topology.name_of(meeting)};
+    for (const Index node : meeting.nodes) {
+      if (shape.rules.interfaces == Interfaces::free && !classes.slides(node)) continue;
+      count(node, sum);
+      if (!counted.insert(node).second) continue;
+      count(node, report.all);
+      if (shape.rules.interfaces != Interfaces::free && !classes.slides(node))
+        report.held.push_back(node);
+    }
+    if (sum.count() > 0) report.each.push_back(std::move(sum));
+  }
+  std::ranges::sort(report.held);
+  return report;
 }
 
 }  // namespace winslow

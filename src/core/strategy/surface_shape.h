@@ -36,6 +36,9 @@ std::vector<Vec3> reference_normals(const MeshState& state, const Coordinates& x
 /// nodes_to_hold().
 void slide_on_surface(const SurfaceShape& shape, const Coordinates& x, NodeClasses& classes);
 
+/// The nodes of a surface mesh in which regions meet, with the classes that slide_on_surface() set.
+InterfaceReport interfaces_of_surface(const SurfaceShape& shape, const NodeClasses& classes);
+
 /// Nodes that must be fixed, besides those fixed anyway, to make the smoothed surface mesh unique.
 /// Conformal maps do not change the shapes of triangles, so a mesh can move at no cost under the
 /// conformal maps of its surface to itself. Three distant nodes remove this freedom on a

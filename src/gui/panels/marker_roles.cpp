@@ -222,6 +222,19 @@ void draw_file_pairs(const PanelContext& context, SlideOptions slide) {
     edit_slide(context, slide);
 }
 
+/// For a mesh of several regions: what the nodes do in which these meet.
+void draw_interfaces(const PanelContext& context, SlideOptions slide) {
+  const char* tip =
+      "What nodes do in which regions of the mesh meet: its physical groups or references.\n"
+      "Auto: they stay while the mesh is smoothed, and are free in a motion.\n"
+      "Held: they stay.\n"
+      "Slide: along the curve or the surface that the mesh has there; corners stay.\n"
+      "Free: they move as any other node.";
+  if (ui::choice("markers/interfaces", "Where regions meet", {"Auto", "Held", "Slide", "Free"},
+                 slide.interfaces, tip))
+    edit_slide(context, slide);
+}
+
 void draw_found(const PanelContext& context) {
   const auto roles = context.session.inspection().roles.find();
   if (roles && !roles->fault.empty()) {
@@ -249,7 +262,9 @@ void draw_role_settings(const PanelContext& context, bool& previewed) {
     draw_angle(context, slide, previewed);
   else
     show_preview(context, previewed, false);
-  if (surface || slide.given()) draw_found(context);
+  const bool regions_meet = !context.topology()->interfaces().empty();
+  if (regions_meet) draw_interfaces(context, slide);
+  if (surface || regions_meet || slide.given()) draw_found(context);
 }
 
 }  // namespace winslow::gui

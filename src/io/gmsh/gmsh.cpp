@@ -84,6 +84,20 @@ Physicals physicals_by_entity(const Details& details) {
   return physicals;
 }
 
+/// Makes the entities of the elements their regions, if there are several: in a file without
+/// physical groups of elements nothing else tells the parts of the mesh from one another.
+void regions_from_entities(const Details& details, ParsedMesh& mesh) {
+  GroupIndex regions{std::string(entity_names[at(details.dimension)]) + "_entity_"};
+  auto& element_region = mesh.data.element_region;
+  for (const Item& item : details.items)
+    if (info_of(item.shape).dimension == details.dimension)
+      element_region[at(item.index)] = static_cast<Index>(regions.find(item.entity));
+  if (regions.all().size() > 1)
+    mesh.data.regions = regions.all();
+  else
+    element_region.clear();
+}
+
 }  // namespace
 
 void collect_groups(std::span<const std::size_t> offsets, Details& details, ParsedMesh& mesh) {
@@ -121,7 +135,7 @@ void collect_groups(std::span<const std::size_t> offsets, Details& details, Pars
   }
   make_markers(markers.all(), details, mesh);
   mesh.data.regions = regions.all();
-  if (mesh.data.regions.empty()) element_region.clear();
+  if (mesh.data.regions.empty()) regions_from_entities(details, mesh);
   if (loose_sides > 0) {
     mesh.warnings.push_back(std::to_string(loose_sides) + (side == 1 ? " line" : " surface") +
                             " elements are in no physical group: they are kept, but are no "

@@ -196,46 +196,57 @@ TEST_CASE("bounds cover the used nodes and no others") {
   CHECK_THROWS_AS(bounds(mesh.coordinates, {}), UsageError);
 }
 
-TEST_CASE("faces where regions meet are named unless all their nodes are held") {
-  const auto warnings_of = [](const MeshData& data) {
-    std::vector<std::string> warnings;
-    make_mesh(data, &warnings);
-    return warnings;
-  };
-  const auto halves = [](MeshData data, int dimension) {
+TEST_CASE("interfaces are the faces between regions that belong to no marker") {
+  const auto by_columns = [](MeshData data, const std::vector<Index>& regions) {
     data.regions = {{"left", 1}, {"right", 2}};
     for (Index e = 0; e < data.element_count(); ++e) {
       double x = 0;
       const auto nodes = data.element(e);
-      for (const Index i : nodes)
-        x += dimension == 3 ? data.coordinates.xyz(i).x() : data.coordinates.xy(i).x();
-      data.element_region.push_back(x < 0.5 * static_cast<double>(nodes.size()) ? 0 : 1);
+      for (const Index i : nodes) x += place_of(data.coordinates, i).x();
+      const double share = x / static_cast<double>(nodes.size());
+      data.element_region.push_back(
+          regions[static_cast<std::size_t>(share * static_cast<double>(regions.size()))]);
     }
     return data;
   };
-  MeshData space = halves(cube(4, Volumes::hexahedra), 3);
-  const auto found = warnings_of(space);
-  REQUIRE(found.size() == 1);
-  CHECK(says(found[0], "16 faces where regions meet belong to no marker"));
-  Marker interface {
-    "interface", 9, {}
-  };
+  MeshData space = by_columns(cube(4, Volumes::hexahedra), {0, 1});
   const auto topology = Topology::build(space);
-  for (Index f = 0; f < topology->face_count(); ++f) {
-    const auto face = topology->face(f);
-    if (face.elements[1] >= 0 &&
-        space.element_region[at(face.elements[0])] != space.element_region[at(face.elements[1])])
-      interface.faces.push_back(face.nodes);
-  }
-  space.markers.push_back(interface);
-  CHECK(warnings_of(space).empty());
-  const auto plane = warnings_of(halves(square(4, Cells::quads), 2));
-  REQUIRE(plane.size() == 1);
-  CHECK(says(plane[0], "4 edges where regions meet"));
-  MeshData one = cube(4, Volumes::hexahedra);
-  one.regions = {{"all", 1}};
-  one.element_region.assign(static_cast<std::size_t>(one.element_count()), 0);
-  CHECK(warnings_of(one).empty());
+  REQUIRE(topology->interfaces().size() == 1);
+  const RegionInterface& meeting = topology->interfaces()[0];
+  CHECK(meeting.regions == std::array<Index, 2>{0, 1});
+  CHECK(topology->name_of(meeting) == "left and right");
+  CHECK(meeting.faces.size() == 16);
+  CHECK(meeting.nodes.size() == 25);
+  CHECK(interface_nodes_inside(*topology).size() == 9);
+  for (const Face& face : meeting.faces) CHECK(topology->find_face(face));
+  space.markers.push_back({"baffle", 9, meeting.faces});
+  CHECK(Topology::build(space)->interfaces().empty());
+
+  const auto plane = Topology::build(by_columns(square(4, Cells::quads), {0, -1, 1, 0}));
+  REQUIRE(plane->interfaces().size() == 3);
+  CHECK(plane->name_of(plane->interfaces()[0]) == "left and right");
+  CHECK(plane->name_of(plane->interfaces()[1]) == "left and no region");
+  CHECK(plane->name_of(plane->interfaces()[2]) == "right and no region");
+  for (const RegionInterface& each : plane->interfaces()) CHECK(each.faces.size() == 4);
+
+  const MeshData one = by_columns(cube(4, Volumes::hexahedra), {0});
+  CHECK(Topology::build(one)->interfaces().empty());
+  CHECK(Topology::build(cube(4, Volumes::hexahedra))->interfaces().empty());
+  std::vector<std::string> warnings;
+  make_mesh(space, &warnings);
+  CHECK(warnings.empty());
+}
+
+TEST_CASE("markers with others behind them") {
+  const Mesh mesh = make_mesh(square(3, Cells::quads));
+  const Markers& markers = mesh.topology->markers();
+  const std::vector<Marker> more{{"inside", 7, {Face(5, 6), Face(6, 10)}}};
+  const Markers all = markers.with(more);
+  REQUIRE(all.size() == markers.size() + 1);
+  const Index last = *all.find("inside");
+  CHECK(last == static_cast<Index>(markers.size()));
+  CHECK(std::ranges::equal(all.nodes(last), std::vector<Index>{5, 6, 10}));
+  for (Index m = 0; m < last; ++m) CHECK(std::ranges::equal(all.nodes(m), markers.nodes(m)));
 }
 
 namespace winslow::test {

@@ -149,6 +149,40 @@ TEST_CASE("what nodes do is shown in colours with a key, and follows roles and f
   CHECK_FALSE(rig.visible("roles/key"));
 }
 
+TEST_CASE(
+    "where regions meet nodes stay, which is shown, unless the row below the list says else") {
+  Rig rig(1280, 900);
+  rig.open(plane_square());
+  CHECK_FALSE(rig.visible("markers/interfaces"));
+  MeshData data = winslow::test::square(8, winslow::test::Cells::triangles);
+  data.regions = {{"rock", 1}, {"sand", 2}};
+  for (Index e = 0; e < data.element_count(); ++e) {
+    double height = 0;
+    for (const Index node : data.element(e)) height += data.coordinates.xy(node).y() / 3;
+    data.element_region.push_back(height < 0.5 ? 0 : 1);
+  }
+  rig.open(make_mesh(data));
+  rig.frames(2);
+  REQUIRE(rig.visible("markers/interfaces"));
+  rig.click("markers/roles");
+  REQUIRE(rig.settle());
+  rig.frames(2);
+  CHECK(in_key(rig, NodeRole::regions));
+  rig.move(ScreenPoint(5, 5));
+  rig.frames(2);
+  const Image picture = rig.bench->pictures().picture();
+  CHECK(coloured(picture, rig.pixel(Vec2(0.5, 0.5)), color_of(NodeRole::regions)) > 8);
+  CHECK(coloured(picture, rig.pixel(Vec2(0.5, 0.625)), color_of(NodeRole::regions)) == 0);
+  rig.click("markers/interfaces");
+  rig.frames(2);
+  rig.click("markers/interfaces/Slide");
+  REQUIRE(rig.settle());
+  rig.frames(2);
+  CHECK(slide_of(rig).interfaces == Interfaces::slide);
+  CHECK_FALSE(in_key(rig, NodeRole::regions));
+  CHECK(in_key(rig, NodeRole::on_curve));
+}
+
 TEST_CASE("a node is held, let slide and left as found by a right click, which undo takes back") {
   Rig rig(1280, 900);
   MeshData data = winslow::test::square(8, winslow::test::Cells::triangles);

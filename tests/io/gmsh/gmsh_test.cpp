@@ -313,6 +313,31 @@ TEST_CASE("MSH: surfaces in no group are kept, but are no marker") {
   CHECK(read_text(folder / "b.msh") == text);
 }
 
+TEST_CASE("MSH without physical groups of elements: several entities are the regions") {
+  const auto text_2 = [](const std::string& physical, const std::string& entity) {
+    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
+           "$EndNodes\n$Elements\n2\n1 2 2 " +
+           physical + " 5 1 2 3\n2 2 2 0 " + entity + " 1 3 4\n$EndElements\n";
+  };
+  const std::string text_4 =
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 4 1 4\n2 5 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n"
+      "1 1 0\n0 1 0\n$EndNodes\n$Elements\n2 2 1 2\n2 5 2 1\n1 1 2 3\n2 8 2 1\n2 1 3 4\n"
+      "$EndElements\n";
+  for (const std::string& text : {text_2("0", "8"), text_4}) {
+    const io::MeshFile file = read_from_text("a.msh", text);
+    const Topology& topology = *file.mesh.topology;
+    REQUIRE(topology.interfaces().size() == 1);
+    CHECK(topology.name_of(topology.interfaces()[0]) == "surface_entity_5 and surface_entity_8");
+    const TemporaryFolder folder;
+    io::write_mesh(folder / "b.msh", file.mesh, file.details.get());
+    CHECK(read_text(folder / "b.msh") == text);
+  }
+  CHECK(read_from_text("a.msh", text_2("0", "5")).mesh.topology->regions().empty());
+  const Mesh partly = read_from_text("a.msh", text_2("3", "8")).mesh;
+  REQUIRE(partly.topology->interfaces().size() == 1);
+  CHECK(partly.topology->name_of(partly.topology->interfaces()[0]) == "surface_3 and no region");
+}
+
 TEST_CASE("MSH of volumes: bad input is refused with file and line") {
   const std::string good = replaced(two_volumes, "5 6 1 6", "5 5 1 6");
   const auto error = [&](const std::string& part, const std::string& by) {

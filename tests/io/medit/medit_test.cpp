@@ -68,4 +68,16 @@ TEST_CASE("Medit: bad input is refused with file and line") {
   CHECK_CONTAINS(error("Edges\n", "Vertices\n"), "found 'Vertices', expected each keyword once");
 }
 
+TEST_CASE("Medit: references of elements are regions, which meet where references differ") {
+  const auto text = [](const std::string& reference) {
+    return "MeshVersionFormatted 2\nDimension 2\nVertices\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+           "Triangles\n2\n1 2 3 4\n1 3 4 " +
+           reference + "\nEnd\n";
+  };
+  const Mesh two = read_from_text("a.mesh", text("7")).mesh;
+  REQUIRE(two.topology->interfaces().size() == 1);
+  CHECK(two.topology->name_of(two.topology->interfaces()[0]) == "region_4 and region_7");
+  CHECK(read_from_text("a.mesh", text("4")).mesh.topology->interfaces().empty());
+}
+
 }  // namespace winslow::test

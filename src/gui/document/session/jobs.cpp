@@ -230,8 +230,10 @@ void Jobs::tell_finished(const std::string& what, const SmoothResult& smooth) {
     messages_.tell(Notice::Kind::warning,
                    what + ": ended after " + counted(smooth.outer_iterations, "iteration"));
   } else {
-    messages_.tell(Notice::Kind::success,
-                   what + ": converged in " + counted(smooth.outer_iterations, "iteration"));
+    const std::string regions = text_of(smooth.boundary.interfaces);
+    messages_.tell(Notice::Kind::success, what + ": converged in " +
+                                              counted(smooth.outer_iterations, "iteration") +
+                                              (regions.empty() ? "" : ", " + regions));
   }
 }
 

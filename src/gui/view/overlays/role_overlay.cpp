@@ -10,8 +10,9 @@ namespace {
 
 // In the order of the key; the most important ones are drawn last.
 constexpr std::array<NodeRole, node_role_count> in_order{
-    NodeRole::free,     NodeRole::fixed,    NodeRole::moves,  NodeRole::on_surface,
-    NodeRole::on_curve, NodeRole::periodic, NodeRole::corner, NodeRole::held};
+    NodeRole::free,       NodeRole::fixed,    NodeRole::moves,
+    NodeRole::on_surface, NodeRole::on_curve, NodeRole::periodic,
+    NodeRole::regions,    NodeRole::corner,   NodeRole::held};
 /// Pixels at 100 % to the nearest neighbour that an inner node of a plane mesh needs for its dot:
 /// closer together they would hide the mesh.
 constexpr float free_room = 9;
@@ -118,7 +119,8 @@ constexpr std::array<RoleLook, node_role_count> looks{
      {"Slides on a surface", IM_COL32(22, 140, 70, 255), IM_COL32(70, 200, 120, 255)},
      {"Periodic", IM_COL32(140, 50, 190, 255), IM_COL32(210, 130, 250, 255)},
      {"Moved, selected"},
-     {"Held", IM_COL32(0, 95, 185, 255), IM_COL32(110, 190, 255, 255)}}};
+     {"Held", IM_COL32(0, 95, 185, 255), IM_COL32(110, 190, 255, 255)},
+     {"Regions meet, stays", IM_COL32(150, 85, 20, 255), IM_COL32(220, 165, 105, 255)}}};
 
 }  // namespace
 
