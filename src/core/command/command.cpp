@@ -162,6 +162,8 @@ void require_dimension(const Command& command, const MeshState& state) {
       },
       command);
   if (!smooth) return;
+  const bool moves = !std::holds_alternative<LayersCommand>(command);
+  require_fixed(smooth->slide, topology, moves ? markers_of(command) : std::vector<std::string>{});
   if (surface) require_surface_options(*smooth, topology);
   validate_vcvs(*smooth, dimension);
   validate(smooth->keep_outside, dimension);
@@ -188,13 +190,16 @@ CommandResult run_motion(const MeshState& state, const Motion& motion, const Mot
     throw UsageError(
         "raise_worst: limits of the quality end a motion before they are broken and know nothing "
         "of what comes after it: expected one of the two");
+  const BodyNodes bodies = body_nodes(motion, state.mesh.coordinates);
+  RunOptions run = options;
+  run.bodies = &bodies;
   if (state.layers && state.layers->held && how.smooth_after) {
     CommandResult result{state, {}};
-    result.smooth = move_with_layers(result.state, motion, how, smooth, options);
+    result.smooth = move_with_layers(result.state, motion, how, smooth, run);
     return result;
   }
   Coordinates x = starting_point(state, options);
-  SmoothResult result = smooth_motion(state, motion, how, smooth, x, options);
+  SmoothResult result = smooth_motion(state, motion, how, smooth, x, run);
   return finish(state, std::move(x), std::move(result));
 }
 

@@ -139,6 +139,8 @@ struct SlidingPart {
   /// All nodes of a curve with its ends; null for surfaces and for curves of a reference surface.
   std::shared_ptr<const CurveRow> row = {};
   Spacing spacing = Spacing::free;  ///< as a run found it (hold_spacing())
+  bool goes_on = false;             ///< a straight line or a circle of a plane mesh
+  bool gives_way = false;           ///< slides only because a moving body stands on it
 
   std::size_t sliding_nodes() const { return spacing == Spacing::stays ? 0 : nodes.size(); }
 };
