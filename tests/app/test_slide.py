@@ -1,7 +1,7 @@
 import math
 
 import support
-from support import USAGE, ProgramTest
+from support import INVERTED, USAGE, ProgramTest
 
 
 class Slide(ProgramTest):
@@ -68,6 +68,39 @@ class Slide(ProgramTest):
             self.assertIn(words, run.stderr)
             self.assertFalse(self.path("out.su2").exists())
 
+    def test_a_floor_gives_way_to_a_gate_unless_it_is_fixed(self):
+        nodes, elements, markers = channel_with_gate()
+        support.write_su2(self.path("gate.su2"), nodes, elements, markers)
+        arguments = ["move", "gate.su2", "-o", "out.su2", "--marker", "gate", "--translate", "1", "0"]
+        run = self.winslow(*arguments, "--report", "r.json", "--save-recipe", "p.json")
+        self.assertIn("floor gives way to gate (--fixed NAME holds it)", run.stdout)
+        command = self.json("r.json")["commands"][0]
+        self.assertEqual([(part["marker"], part["gives_way"]) for part in command["sliding"]],
+                         [("floor", True), ("floor", True)])
+        self.assertEqual([(foot["body"], foot["markers"], foot["nodes"], foot["held_by"])
+                          for foot in command["footholds"]], [("gate", ["floor"], 1, None)] * 2)
+        after, _, _ = support.read_su2(self.path("out.su2"))
+        self.assertGreater(support.smallest_corner_area(after, elements), 0)
+        for node in {n for edge in markers["floor"] for n in edge}:
+            self.assertEqual(after[node][1], 0)
+        slide = self.json("p.json")["commands"][0]["smooth"]["slide"]
+        self.assertEqual((slide["markers"], slide["fixed"]), ([], []))
+        self.winslow("replay", "p.json", "-o", "again.su2")
+        self.assertEqual(self.path("again.su2").read_bytes(), self.path("out.su2").read_bytes())
+        self.path("out.su2").unlink()
+
+        run = self.winslow(*arguments, "--fixed", "floor", "--save-recipe", "p.json",
+                           code=INVERTED)
+        self.assertIn("gate shares 2 nodes with floor, which stays (--fixed floor)", run.stderr)
+        self.assertEqual(self.json("p.json")["commands"][0]["smooth"]["slide"]["fixed"], ["floor"])
+        off = arguments[:-1] + ["0.1"]
+        for more, words in (([], "gate shares 1 node with floor (straight line), and the motion "
+                                 "takes them off it"),
+                            (["--fixed", "lid"], "lid"), (["--fixed", "gate"], "and to move")):
+            run = self.winslow(*off, *more, code=USAGE)
+            self.assertIn(words, run.stderr)
+        self.assertFalse(self.path("out.su2").exists())
+
     def test_spacing_is_held_as_asked_and_a_recipe_does_the_same(self):
         self.ring()
         slid = {}
@@ -126,6 +159,29 @@ class Slide(ProgramTest):
             self.assertAlmostEqual(after[image][0], after[node][0], delta=1e-13)
             self.assertAlmostEqual(after[image][1], after[node][1] + 1, delta=1e-13)
         self.assertGreater(max(after[n][1] for n in lower), 0.1)  # they gave way
+
+
+def channel_with_gate():
+    """A channel, 6 by 2, of square cells of 1/4 with a gate on its floor from x = 2 to 2.5."""
+    ids, nodes, elements = {}, [], []
+
+    def node(i, j):
+        if (i, j) not in ids:
+            ids[i, j] = len(nodes)
+            nodes.append((i / 4, j / 4))
+        return ids[i, j]
+
+    gate = [(i, j) for i in (8, 9) for j in range(3)]
+    for i in range(24):
+        for j in range(8):
+            if (i, j) not in gate:
+                elements.append((node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)))
+    markers = {"floor": [(ids[i, 0], ids[i + 1, 0]) for i in range(24) if i not in (8, 9)],
+               "gate": [(ids[i, j], ids[i, j + 1]) for i in (8, 10) for j in range(3)] +
+                       [(ids[i, 3], ids[i + 1, 3]) for i in (8, 9)],
+               "rest": [(ids[i, 8], ids[i + 1, 8]) for i in range(24)] +
+                       [(ids[i, j], ids[i, j + 1]) for i in (0, 24) for j in range(8)]}
+    return nodes, elements, markers
 
 
 def passage(n=10):

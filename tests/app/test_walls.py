@@ -138,6 +138,15 @@ class Warnings(ProgramTest):
                          run.stderr.splitlines())
         self.assertEqual(self.winslow(*self.MOVE, "--targets", "element", "--quiet").stderr, "")
 
+    def test_a_far_field_that_shears_the_mesh_is_to_slide_first(self):
+        self.ring(**RING)
+        move = ("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "200")
+        run = self.winslow(*move, "--targets", "element")
+        self.assertIn("the smallest sine fell", run.stderr)
+        self.assertIn("; --slide farfield lets its nodes move along it, --hold-layers", run.stderr)
+        run = self.winslow(*move, "--targets", "element", "--slide", "farfield")
+        self.assertEqual(run.stderr, "")
+
     def test_nothing_is_said_where_heights_are_kept(self):
         nodes, elements, markers = support.ring_mesh(quads=True, **RING)
         support.write_su2(self.path("ring.su2"), stretched(nodes, RING["around"], 0.005, 1.5),
@@ -152,6 +161,8 @@ class Warnings(ProgramTest):
         run = self.winslow("layers", "ring.su2", "-o", "out.su2", "--marker", "body", "--count",
                            "3", "--first", "0.01", "--ratio", "1.2")
         self.assertNotIn("first heights", run.stderr)
+        self.assertIn("wall nodes", run.stdout)
+        self.assertNotIn("first height changed", run.stdout)
 
 
 class Limits(ProgramTest):

@@ -250,6 +250,19 @@ inline MeshData shuffled_volume(const MeshData& data, Random& random, bool turn)
   return out;
 }
 
+/// A unit cube of n^3 cubes, cut up, without a block of a third of its length in the middle of the
+/// edge y = z = 0; markers body, side (y = 0), floor (z = 0), far.
+inline MeshData box_with_body_on_two_planes(Index n, Volumes volumes) {
+  MeshData data = cubes_with_holes(n, volumes, [&](Index i, Index j, Index k) {
+    return 3 * i / n == 1 && 3 * j < n && 3 * k < n;
+  });
+  mark_volume(data, [](const Vec3& p) {
+    const bool far = (p.array() > 1 - 1e-9).any() || p.x() < 1e-9;
+    return far ? "far" : p.y() < 1e-9 ? "side" : p.z() < 1e-9 ? "floor" : "body";
+  });
+  return data;
+}
+
 /// A unit cube of n^3 cubes, cut up, without the one in the middle: markers "far" and "body".
 inline Mesh box_with_body(Index n, Volumes volumes) {
   const Index low = n / 2;

@@ -11,6 +11,7 @@
 #include "core/mesh/coordinates.h"
 #include "core/quality/mesh_change.h"
 #include "core/strategy/run.h"
+#include "core/strategy/sliding.h"
 #include "core/strategy/surface_shape.h"
 #include "io/recipe/recipe.h"
 #include "io/tables/slide_files.h"
@@ -208,6 +209,30 @@ void save(const EditJob& job, const std::vector<ZoneRun>& zones, RunReport& run)
   if (!job.files.save_recipe.empty()) write_recipe(job);
 }
 
+/// Adds what slides because a body stands on it: ", sym and the edge between sym and symy give way
+/// to wall (--fixed NAME holds one)".
+void print_footholds(const MovingBoundary& boundary) {
+  std::vector<std::string> names, bodies;
+  const auto add = [](std::vector<std::string>& list, const std::string& name) {
+    if (!name.empty() && std::ranges::find(list, name) == list.end()) list.push_back(name);
+  };
+  for (const Foothold& foothold : boundary.footholds) {
+    if (!foothold.goes_on) continue;
+    add(names, foothold.name());
+    add(bodies, foothold.body);
+  }
+  if (names.empty()) return;
+  const auto listed = [](const std::vector<std::string>& list) {
+    std::string text;
+    for (std::size_t k = 0; k < list.size(); ++k)
+      text += (k == 0 ? "" : k + 1 < list.size() ? ", " : " and ") + list[k];
+    return printable(text);
+  };
+  std::cout << ", " << listed(names) << (names.size() == 1 ? " gives" : " give") << " way to "
+            << (bodies.empty() ? "what moves" : listed(bodies)) << " (--fixed NAME holds "
+            << (names.size() == 1 ? "it)" : "one)");
+}
+
 void print_pivots(const CommandRecord& record) {
   for (const MovingBody& body : record.turned) {
     const GivenVector& pivot = *body.motion.pivot;
@@ -238,6 +263,7 @@ void print_commands(const RunReport& run) {
     if (sliding > 0)
       std::cout << ", " << sliding << (c.on_surface ? " nodes" : " nodes of the boundary")
                 << " slide";
+    print_footholds(c.result.boundary);
     if (c.result.boundary.held > 0)
       std::cout << ", " << c.result.boundary.held << " named nodes held";
     if (held > 0) std::cout << ", spacing of " << held << " held";
@@ -259,6 +285,12 @@ void print_commands(const RunReport& run) {
   }
 }
 
+bool wants_heights(const ZoneRun& zone) {
+  return std::ranges::any_of(zone.commands, [](const std::optional<Command>& command) {
+    return command && asks_for_heights(*command);
+  });
+}
+
 void print_outcome(const EditJob& job, const std::vector<ZoneRun>& zones, const RunReport& run) {
   print_commands(run);
   for (const ZoneRun& zone : zones) {
@@ -268,7 +300,7 @@ void print_outcome(const EditJob& job, const std::vector<ZoneRun>& zones, const 
     if (zone.surface) print_surface_change(std::cout, *zone.surface);
     if (zone.quality.has_walls()) {
       std::cout << '\n';
-      print_walls(std::cout, &zone.before.walls, zone.quality.walls);
+      print_walls(std::cout, &zone.before.walls, zone.quality.walls, wants_heights(zone));
     }
     if (!zone.result.layers) continue;
     std::cout << '\n';
@@ -282,19 +314,77 @@ void print_outcome(const EditJob& job, const std::vector<ZoneRun>& zones, const 
   std::cout << run.seconds.total << " s\n";
 }
 
+constexpr const char* slides_along = " lets its nodes move along it";
+
+/// True if a body turns so far that a fixed marker around it shears the mesh.
+bool turns_far(const Command& command) {
+  constexpr double far = 45;  // degrees
+  const auto* move = std::get_if<MoveCommand>(&command);
+  return move && std::ranges::any_of(move->bodies, [](const MovingBody& body) {
+           return std::abs(body.motion.rotate) >= far;
+         });
+}
+
+/// The first fixed marker that is a whole circle or sphere: it can turn with a body.
+std::string round_marker(const Mesh& mesh, const std::vector<std::string>& moving,
+                         const SlideOptions& slide) {
+  const Markers& markers = mesh.topology->markers();
+  for (const Marker& marker : markers) {
+    const auto in = [&](const std::vector<std::string>& names) {
+      return std::ranges::find(names, marker.name) != names.end();
+    };
+    if (in(moving) || in(slide.markers) || in(slide.periodic) || marker.faces.empty()) continue;
+    const std::vector<std::string> names{marker.name};
+    try {
+      const auto found = SlidingBoundary::find(*mesh.topology, mesh.coordinates, names, {});
+      const std::string& what = found.parts.front().description;
+      if ((what.starts_with("circle") || what.starts_with("sphere")) &&
+          found.parts.front().nodes.size() == markers.nodes_of(names).size())
+        return marker.name;
+    } catch (const UsageError&) {
+      continue;  // none of its nodes can slide
+    }
+  }
+  return {};
+}
+
+/// Begins a hint with the fixed marker at the place of damage: "--slide farfield lets its nodes
+/// move along it, "; where a body turns far, with a circle or a sphere around it. Empty if there is
+/// none, or if nothing moved.
+std::string hint_to_slide(const ZoneRun& zone, const Damage& damage) {
+  std::vector<std::string> moving;
+  SlideOptions slide;
+  for (const std::optional<Command>& command : zone.commands) {
+    if (!command) continue;
+    const SmoothOptions* smooth = smooth_options(*command);
+    if (!smooth || smooth->formulation != Formulation::variational) return {};
+    const auto add = [](std::vector<std::string>& list, const std::vector<std::string>& more) {
+      list.insert(list.end(), more.begin(), more.end());
+    };
+    add(moving, markers_of(*command));
+    add(slide.markers, smooth->slide.markers);
+    add(slide.periodic, smooth->slide.periodic);
+    if (smooth->slide.periodic_from_file) return {};
+  }
+  if (moving.empty()) return {};
+  std::string marker = fixed_marker_at(*zone.source.mesh.topology, damage, moving, slide);
+  const bool far = std::ranges::any_of(zone.commands, [](const std::optional<Command>& command) {
+    return command && turns_far(*command);
+  });
+  if (marker.empty() && far) marker = round_marker(zone.source.mesh, moving, slide);
+  return marker.empty() ? "" : "--slide " + printable(marker) + slides_along + ", ";
+}
+
 /// Warns about damage to a valid result that may hurt a flow solver. Commands that request heights
 /// of layers suppress the warning.
 void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
-  if (std::ranges::any_of(zone.commands, [](const std::optional<Command>& command) {
-        return command && asks_for_heights(*command);
-      }))
-    return;
-  const std::string damage = find_damage(zone.source.mesh, zone.result.mesh).text;
-  if (damage.empty()) return;
+  if (wants_heights(zone)) return;
+  const Damage damage = find_damage(zone.source.mesh, zone.result.mesh);
+  if (damage.text.empty()) return;
   const std::string name = zone.name();
   const std::string text =
-      (name.empty() ? "" : name + ": ") + damage +
-      "; --hold-layers keeps heights at a wall, --targets rest the elements' own shapes";
+      (name.empty() ? "" : name + ": ") + damage.text + "; " + hint_to_slide(zone, damage) +
+      "--hold-layers keeps heights at a wall, --targets rest the elements' own shapes";
   warn(job.files, {text});
   run.warnings.push_back(text);
 }
@@ -309,16 +399,31 @@ const SmoothResult& least_complete(const RunReport& run) {
       ->result;
 }
 
+/// Hints at sliding where a motion ended before a marker that is fixed; empty elsewhere.
+std::string hint_beyond_gap(const RunReport& run, const SmoothResult& result) {
+  const bool no_mesh = result.gap && !result.contact && result.limited_by.empty() &&
+                       !result.out_of_iterations && result.boundary.held_footholds.empty();
+  if (!no_mesh || result.gap->edges.other.empty()) return {};
+  const std::string& marker = result.gap->edges.other;
+  const bool slides = std::ranges::any_of(
+      result.boundary.sliding, [&](const SlidingPart& part) { return part.marker == marker; });
+  const bool variational = std::ranges::all_of(run.commands, [](const CommandRecord& c) {
+    return !c.formulation || *c.formulation == formulation_name(Formulation::variational);
+  });
+  if (slides || !variational || marker == result.gap->edges.moving) return {};
+  return " (--slide " + printable(marker) + slides_along + ")";
+}
+
 void print_incomplete(const RunReport& run) {
   const SmoothResult& result = least_complete(run);
   const char* nothing = "; nothing was written (--accept-partial writes ";
   if (result.contact && result.fraction_reached == 0 && !run.written) {
-    std::cerr << "winslow: " << printable(describe(*result.contact)) << nothing
+    std::cerr << "winslow: " << printable(why_incomplete(result)) << nothing
               << "a mesh from before that)\n";
     return;
   }
   std::cerr << "winslow: the motion could be followed to " << 100 * result.fraction_reached
-            << " % only: " << printable(why_incomplete(result))
+            << " % only: " << printable(why_incomplete(result)) << hint_beyond_gap(run, result)
             << (run.written ? std::string("; the mesh there was written")
                             : nothing + std::string("the mesh there)"))
             << '\n';

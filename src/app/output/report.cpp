@@ -79,6 +79,7 @@ json describe_sliding(const std::vector<SlidingPart>& parts) {
     report.push_back({{part.of_regions ? "regions" : "marker", part.marker},
                       {"on", part.description},
                       {"nodes", part.sliding_nodes()}});
+    if (part.gives_way) report.back()["gives_way"] = true;
     if (part.row) report.back()["spacing"] = part.spacing == Spacing::free ? "free" : "held";
   }
   return report;
@@ -91,6 +92,25 @@ json describe_interfaces(const InterfaceReport& interfaces) {
                       {"held", nodes.held},
                       {"slide", nodes.sliding},
                       {"free", nodes.free}});
+  return report;
+}
+
+json describe_footholds(const MovingBoundary& boundary) {
+  json report = json::array();
+  for (const Foothold& foothold : boundary.footholds)
+    report.push_back({{"body", foothold.body},
+                      {"markers", foothold.markers},
+                      {"edge", foothold.edge},
+                      {"on", foothold.description},
+                      {"nodes", foothold.nodes.size()},
+                      {"held_by", json()}});
+  for (const HeldFoothold& held : boundary.held_footholds)
+    report.push_back({{"body", held.body},
+                      {"markers", json::array({held.marker})},
+                      {"edge", false},
+                      {"on", json()},
+                      {"nodes", held.nodes},
+                      {"held_by", held.by}});
   return report;
 }
 
@@ -125,6 +145,7 @@ json describe_result(const CommandRecord& record) {
                  {"held_nodes", r.boundary.held},
                  {"sliding", describe_sliding(r.boundary.sliding)},
                  {"interfaces", describe_interfaces(r.boundary.interfaces)},
+                 {"footholds", describe_footholds(r.boundary)},
                  {"periodic", describe_periodic(r.boundary.periodic)},
                  {"increments", r.increments},
                  {"linear_solver", r.linear_solver},

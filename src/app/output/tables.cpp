@@ -166,12 +166,14 @@ void describe_change(json& block, std::span<const WallMeasures> before,
 
 }  // namespace
 
-void print_walls(std::ostream& out, const WallReport* before, const WallReport& now) {
+void print_walls(std::ostream& out, const WallReport* before, const WallReport& now,
+                 bool heights_asked_for) {
   if (now.size_ratio.count == 0) return;
   out << formatted("%-22s%11s%11s%11s%11s%11s\n", "Walls", "minimum", "5 %", "median", "95 %",
                    "maximum");
-  const auto change =
-      before ? compare_first_heights(before->walls, now.walls) : std::optional<FirstHeightChange>();
+  const bool compares = before && !heights_asked_for;
+  const auto change = compares ? compare_first_heights(before->walls, now.walls)
+                               : std::optional<FirstHeightChange>();
   for (const Measure& measure : measures) {
     const std::string label = measure.label;
     if (before) print_row(out, label + ", before", before->*measure.of);

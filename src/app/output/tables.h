@@ -30,7 +30,9 @@ void print_histograms(std::ostream& out, const QualityReport& quality);
 
 /// Prints distributions of first height, tilt and growth of the cells at walls, and of the size
 /// ratio of neighbours. before: the same of the earlier mesh; null if there was none.
-void print_walls(std::ostream& out, const WallReport* before, const WallReport& now);
+/// heights_asked_for: the run was to change first heights, so it is not said that they changed.
+void print_walls(std::ostream& out, const WallReport* before, const WallReport& now,
+                 bool heights_asked_for = false);
 
 /// The block "walls" (docs/command-line.md lists the keys). mesh: the mesh of `now`.
 nlohmann::json describe_walls(const WallReport* before, const WallReport& now, const Mesh& mesh);

@@ -162,6 +162,8 @@ void require_dimension(const Command& command, const MeshState& state) {
       },
       command);
   if (!smooth) return;
+  const bool moves = !std::holds_alternative<LayersCommand>(command);
+  require_fixed(smooth->slide, topology, moves ? markers_of(command) : std::vector<std::string>{});
   if (surface) require_surface_options(*smooth, topology);
   validate_vcvs(*smooth, dimension);
   validate(smooth->keep_outside, dimension);
@@ -193,14 +195,17 @@ void require_sound(const MotionOptions& how, const SmoothOptions& smooth) {
 CommandResult run_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
                          const SmoothOptions& smooth, const RunOptions& options) {
   require_sound(how, smooth);
+  const BodyNodes bodies = body_nodes(motion, state.mesh.coordinates);
+  RunOptions run = options;
+  run.bodies = &bodies;
   if (state.layers && state.layers->held && how.smooth_after) {
     CommandResult result{state, {}};
     result.state.reference = reference_of(state);
-    result.smooth = move_with_layers(result.state, motion, how, smooth, options);
+    result.smooth = move_with_layers(result.state, motion, how, smooth, run);
     return result;
   }
   Coordinates x = starting_point(state, options);
-  SmoothResult result = smooth_motion(state, motion, how, smooth, x, options);
+  SmoothResult result = smooth_motion(state, motion, how, smooth, x, run);
   return finish(state, std::move(x), std::move(result));
 }
 

@@ -3,6 +3,8 @@
 #include <queue>
 
 #include "core/error.h"
+#include "core/mesh/index_sets.h"
+#include "core/strategy/sliding.h"
 
 namespace winslow {
 
@@ -64,6 +66,66 @@ Command drag_command(const DragGrip& grip, const RigidMotion& motion, const Moti
 RigidMotion motion_between(const DragGrip& grip, const RigidMotion& from, const RigidMotion& to) {
   if (grip.rigid()) return compose(inverse(from), to);
   return {.translate = Vec3(to.translate - from.translate), .axis = to.axis};
+}
+
+BodyNodes body_nodes(const Topology& topology, const DragGrip& grip) {
+  BodyNodes nodes{moving_nodes(topology, grip.markers), {}};
+  if (grip.rigid()) {
+    nodes.standing = nodes.all;
+    return nodes;
+  }
+  for (std::size_t i = 0; i < grip.nodes.size(); ++i)
+    if (grip.shares[i] > 0) nodes.standing.push_back(grip.nodes[i]);
+  sort_unique(nodes.standing);
+  return nodes;
+}
+
+namespace {
+
+bool keeps_on(const Mesh& mesh, const DragGrip& grip, std::span<const Foothold> footholds,
+              const RigidMotion& motion) {
+  try {
+    const auto of_grip = make_motion(*mesh.topology, mesh.coordinates, grip, motion);
+    require_on_footholds(mesh, *of_grip, footholds);
+    return true;
+  } catch (const UsageError&) {
+    return false;
+  }
+}
+
+/// The translation that brings one node of each foothold back onto it, by projections in turn.
+RigidMotion put_back(const Mesh& mesh, const DragGrip& grip, std::span<const Foothold> footholds,
+                     RigidMotion motion) {
+  constexpr int rounds = 100;
+  for (int round = 0; round < rounds; ++round) {
+    double corrected = 0;
+    for (const Foothold& foothold : footholds) {
+      const Index node = foothold.nodes.front();
+      const double share = grip.rigid() ? 1 : grip.shares[index_of(grip.nodes, node)];
+      const Vec3 rest = place_of(mesh.coordinates, node);
+      const Vec3 place = grip.rigid() ? transform(motion, rest) : rest + share * motion.translate;
+      const Vec3 back = (foothold.nearest(place) - place - (foothold.nearest(rest) - rest)) / share;
+      motion.translate += back;
+      corrected = std::max(corrected, back.norm());
+    }
+    if (corrected == 0) break;
+  }
+  return motion;
+}
+
+}  // namespace
+
+RigidMotion along_footholds(const Mesh& mesh, const DragGrip& grip,
+                            std::span<const Foothold> footholds, const RigidMotion& motion) {
+  if (footholds.empty() || keeps_on(mesh, grip, footholds, motion)) return motion;
+  RigidMotion shifted = motion;
+  shifted.rotate = 0;
+  for (const RigidMotion& start : {motion, shifted}) {
+    const RigidMotion along = put_back(mesh, grip, footholds, start);
+    if (keeps_on(mesh, grip, footholds, along)) return along;
+  }
+  shifted.translate = Vec3(0, 0, 0);
+  return shifted;
 }
 
 RigidMotion fit_motion(std::span<const Index> nodes, std::span<const double> shares,

@@ -3,6 +3,7 @@
 #include "core/command/command.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/element_type.h"
+#include "core/strategy/run.h"
 
 /// Markers select whole bodies:
 ///
@@ -38,6 +39,16 @@ RigidMotion motion_between(const DragGrip& grip, const RigidMotion& from, const 
 /// shares: as of the grip; empty: rigid.
 RigidMotion fit_motion(std::span<const Index> nodes, std::span<const double> shares,
                        const Coordinates& rest, const Coordinates& x);
+
+/// The nodes of the bodies of a grip; those with a share stand on what lies under them.
+BodyNodes body_nodes(const Topology& topology, const DragGrip& grip);
+
+/// The motion of a grip nearest to `motion` that keeps its nodes on what they stand on: without the
+/// part of the translation across it, without the rotation if that is not enough, and none at all
+/// if that is not enough either. footholds: straight lines, circles, planes, cylinders and spheres.
+/// motion: resolved.
+RigidMotion along_footholds(const Mesh& mesh, const DragGrip& grip,
+                            std::span<const Foothold> footholds, const RigidMotion& motion);
 
 /// 1 - t^2 (3 - 2t) with t = distance / radius: from 1 to 0, with continuous slope; 0 beyond the
 /// radius.

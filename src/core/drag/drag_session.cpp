@@ -71,7 +71,11 @@ class DragSession::Impl final : public SolverMonitor {
       nodes_.assign(motion->nodes().begin(), motion->nodes().end());
     else
       nodes_ = grip_.nodes;
+    bodies_ = body_nodes(*state_.mesh.topology, grip_);
+    footholds_ = footholds_of(slide_, what_holds_footholds(options_), state_.mesh, bodies_);
+    std::erase_if(footholds_, [](const Foothold& foothold) { return !foothold.goes_on; });
     wanted_ = frame_.motion;
+    if (!footholds_.empty()) rest_ = state_.mesh;
     const Box<3> body = body_box(state_.mesh.coordinates, nodes_);
     centre_ = body.centre();
     radius_ = 0.5 * body.size().norm();
@@ -115,6 +119,9 @@ class DragSession::Impl final : public SolverMonitor {
     return frame_;
   }
 
+  RigidMotion along(const RigidMotion& motion) const {
+    return along_footholds(rest_, grip_, footholds_, motion);
+  }
   const Vec3& body_centre() const { return centre_; }
   bool ready() const {
     const std::lock_guard lock(mutex_);
@@ -252,6 +259,7 @@ class DragSession::Impl final : public SolverMonitor {
     run.start = &start;
     run.cache = &cache_;
     run.files = slide_.files();
+    run.bodies = &bodies_;
     const SmoothResult result = smooth_motion(state_, *motion, {}, options_, x, run);
     if (result.contact) contact_ = result.contact->edges;
     if (validity_of(x).inverted > 0) x = start;
@@ -265,6 +273,7 @@ class DragSession::Impl final : public SolverMonitor {
     run.monitor = this;
     run.cache = &cache_;
     run.files = slide_.files();
+    run.bodies = &bodies_;
     run.all_or_nothing = true;
     Coordinates other = state_.mesh.coordinates;
     smooth_motion(state_, *motion, {}, options_, other, run);
@@ -315,6 +324,9 @@ class DragSession::Impl final : public SolverMonitor {
   RigidMotion resting_;
   Coordinates rest_;  // of the state, where nothing has moved
   std::vector<Index> nodes_;
+  BodyNodes bodies_;
+  std::vector<Foothold> footholds_;  // that go on
+  Mesh rest_;                        // the mesh of the footholds
   SolverCache cache_;                // the worker's
   Coordinates solved_;               // the worker's: the mesh solved for last
   RigidMotion from_, target_;        // the worker's: what it is solving for
@@ -388,9 +400,16 @@ DragSession::DragSession(MeshState state, DragGrip grip, const SmoothOptions& op
 }
 DragSession::~DragSession() = default;
 
+RigidMotion DragSession::along(const RigidMotion& asked) const {
+  RigidMotion motion = resolve_motion(asked, dimension_, frame_.to_mesh(impl_->body_centre()));
+  const RigidMotion kept = impl_->along(in_frame(motion, frame_));
+  motion.rotate = kept.rotate;
+  motion.translate = kept.translate;
+  return motion;
+}
+
 const DragFrame& DragSession::to(const RigidMotion& asked) {
-  const RigidMotion motion =
-      resolve_motion(asked, dimension_, frame_.to_mesh(impl_->body_centre()));
+  const RigidMotion motion = along(asked);
   if (!frame_.shifts()) return impl_->to(motion);
   const RigidMotion local = in_frame(motion, frame_);
   shown_ = impl_->to(local);

@@ -49,9 +49,13 @@ class DragSession {
   DragSession& operator=(const DragSession&) = delete;
 
   /// Returns the mesh with the body moved by `motion` from its position in the state, or the
-  /// nearest valid mesh found so far. A motion without a pivot rotates about the centre of what is
+  /// nearest valid mesh found so far. The body keeps on what it stands on: see along(). A motion
+  /// without a pivot rotates about the centre of what is
   /// held. Throws UsageError for a motion that a mesh of this dimension does not have.
   const DragFrame& to(const RigidMotion& motion);
+  /// The motion that to() carries out: the nearest one that keeps the body on the straight line,
+  /// circle, plane, cylinder or sphere on which it stands (along_footholds()). Throws as to() does.
+  RigidMotion along(const RigidMotion& motion) const;
   /// False until the first fields are prepared; to() holds the state until then.
   bool ready() const;
   /// True if the fields belong to the position last asked for: the next frame there is the solution

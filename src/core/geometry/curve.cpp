@@ -237,6 +237,7 @@ class Line final : public Curve<D> {
     return {origin_ + arc * direction_, direction_, Vec<D>::Zero()};
   }
   double period() const override { return 0; }
+  bool goes_on() const override { return true; }
   std::string description() const override { return "straight line"; }
 
  private:
@@ -262,6 +263,7 @@ class Circle final : public Curve<D> {
     return at_direction(Vec2(std::cos(arc / radius_), std::sin(arc / radius_)));
   }
   double period() const override { return 2 * pi * radius_; }
+  bool goes_on() const override { return true; }
   std::string description() const override { return "circle of radius " + number_text(radius_); }
 
  private:
@@ -380,6 +382,7 @@ class LiftedCurve final : public SpaceCurve {
   double arc_of(const Vec3& p) const override { return curve_->arc_of(p.head<2>()); }
   CurvePoint<3> at_arc(double arc) const override { return lifted_point(curve_->at_arc(arc)); }
   double period() const override { return curve_->period(); }
+  bool goes_on() const override { return curve_->goes_on(); }
   std::string description() const override { return curve_->description(); }
 
  private:

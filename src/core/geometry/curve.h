@@ -32,6 +32,8 @@ class Curve {
   virtual CurvePoint<D> at_arc(double arc) const = 0;
   /// Length of a closed curve; 0 of an open one.
   virtual double period() const = 0;
+  /// Whether the curve extends beyond its points: a straight line or a circle.
+  virtual bool goes_on() const { return false; }
   /// "straight line", "circle of radius 10", "smooth curve through 200 nodes": for reports.
   virtual std::string description() const = 0;
 };

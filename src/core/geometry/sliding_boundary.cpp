@@ -384,6 +384,7 @@ SlidingBoundary sliding_on_curves(const Topology& topology, const Coordinates& x
     points.insert(points.end(), stretch.after.begin(), stretch.after.end());
     const std::shared_ptr<const SpaceCurve> curve = lifted(curve_through(points, chain.closed));
     part.description = curve->description();
+    part.goes_on = curve->goes_on();
     part.row = std::make_shared<const CurveRow>(chain.nodes, chain.closed, curve, places);
     geometry->add(curve, part.nodes);
     boundary.parts.push_back(std::move(part));

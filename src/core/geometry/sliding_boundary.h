@@ -152,6 +152,8 @@ struct SlidingPart {
   std::shared_ptr<const CurveRow> row = {};
   Spacing spacing = Spacing::free;  ///< as a run found it (hold_spacing())
   bool of_regions = false;          ///< where two regions meet: no part of a marker
+  bool goes_on = false;             ///< a straight line or a circle of a plane mesh
+  bool gives_way = false;           ///< slides only because a moving body stands on it
 
   std::size_t sliding_nodes() const { return spacing == Spacing::stays ? 0 : nodes.size(); }
 };

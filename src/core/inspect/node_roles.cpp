@@ -49,6 +49,17 @@ void add_interfaces(const InterfaceReport& report, NodeRoles& out, std::vector<I
   held = report.held;
 }
 
+/// The nodes of those markers that the mesh has, ascending.
+std::vector<Index> nodes_of(const Mesh& mesh, const std::vector<std::string>& names) {
+  std::vector<Index> nodes;
+  const Markers& markers = mesh.topology->markers();
+  for (const std::string& name : names)
+    if (const auto m = markers.find(name))
+      nodes.insert(nodes.end(), markers.nodes(*m).begin(), markers.nodes(*m).end());
+  sort_unique(nodes);
+  return nodes;
+}
+
 /// The classes of nodes with these options; none if the boundary cannot move like this.
 std::optional<NodeClasses> classes_of(const Mesh& mesh, ResolvedSlide slide,
                                       const std::vector<std::string>& moving, NodeRoles& out,
@@ -58,12 +69,23 @@ std::optional<NodeClasses> classes_of(const Mesh& mesh, ResolvedSlide slide,
     slide.interfaces = interfaces_in(slide.interfaces, !moving.empty());
     MovingBoundary boundary = make_boundary_move(slide, mesh, {}, classes);
     add_interfaces(boundary.interfaces, out, where_regions_meet);
-    const Markers& markers = mesh.topology->markers();
-    for (const std::string& name : moving)
-      if (const auto m = markers.find(name)) classes.set_prescribed(markers.nodes(*m));
+    const std::vector<Index> bodies = nodes_of(mesh, moving);
+    let_footholds_slide(slide, {}, mesh, {bodies, bodies}, boundary, classes);
+    classes.set_prescribed(bodies);
     hold_spacing(slide, mesh, boundary, classes);
     for (const SlidingPart& part : boundary.sliding)
-      out.found.push_back(part.marker + ": " + part.description + text_of(part.spacing));
+      out.found.push_back(part.marker + ": " + part.description + text_of(part.spacing) +
+                          (part.gives_way ? ", gives way to what stands on it" : ""));
+    for (const Foothold& foothold : boundary.footholds) {
+      auto& names = foothold.goes_on ? out.give_way : out.in_the_way;
+      names.insert(names.end(), foothold.markers.begin(), foothold.markers.end());
+      if (!foothold.goes_on)
+        out.found.push_back(foothold.name() + ": " + foothold.description + ", holds " +
+                            std::to_string(foothold.nodes.size()) + " nodes of " + foothold.body);
+    }
+    for (auto* names : {&out.give_way, &out.in_the_way}) sort_unique(*names);
+    for (const HeldFoothold& held : boundary.held_footholds)
+      out.found.push_back(held.description());
     out.bends = boundary.bends;
     for (const PeriodicPairs& pairs : boundary.periodic)
       out.found.push_back(pairs.first + " and " + pairs.second + ": " + pairs.description);
@@ -94,6 +116,12 @@ NodeRole role_of(NodeClass which, bool paired, bool on_sliding_marker) {
       break;
   }
   return on_sliding_marker ? NodeRole::corner : NodeRole::fixed;
+}
+
+std::vector<std::string> joined(std::vector<std::string> names,
+                                const std::vector<std::string>& more) {
+  names.insert(names.end(), more.begin(), more.end());
+  return names;
 }
 
 std::vector<unsigned char> marked(const Mesh& mesh, const std::vector<std::string>& names) {
@@ -170,7 +198,7 @@ NodeRoles node_roles(const Mesh& mesh, const ResolvedSlide& slide,
   const auto found = classes_of(mesh, slide, moving, out, where_regions_meet);
   const NodeClasses classes = found ? *found : NodeClasses(mesh.topology);
   const std::vector<unsigned char> sliding =
-      marked(mesh, found ? slide.markers : std::vector<std::string>());
+      marked(mesh, found ? joined(slide.markers, out.give_way) : std::vector<std::string>());
   const std::vector<unsigned char> moved = marked(mesh, moving);
   out.roles.resize(sliding.size());
   for (std::size_t i = 0; i < sliding.size(); ++i) {

@@ -32,6 +32,9 @@ struct NodeRoles {
   /// Recognised curves, surfaces, periodic sides and interfaces: "far: circle of radius 10", "lower
   /// and upper: translation by (0, 1)", "rock and sand: 42 nodes stay where these regions meet".
   std::vector<std::string> found;
+  /// Fixed markers on which the moving ones stand, ascending by name: those that give way, and
+  /// those that cannot because of their shape.
+  std::vector<std::string> give_way, in_the_way;
   /// Why the boundary cannot move as the options say; empty if it can. If it cannot, it stays.
   std::string fault;
 };

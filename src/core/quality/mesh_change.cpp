@@ -22,6 +22,7 @@ std::vector<WallMeasures> heights_only(const Mesh& mesh) {
   for (Wall& wall : find_walls(mesh)) {
     WallMeasures& of = walls.emplace_back();
     of.first_height = first_heights(mesh, wall);
+    of.spacing = wall_spacings(mesh, wall);
     of.wall = std::move(wall);
   }
   return walls;
@@ -30,10 +31,15 @@ std::vector<WallMeasures> heights_only(const Mesh& mesh) {
 void describe_heights(const Mesh& before, const Mesh& after, Damage& damage) {
   const auto change = compare_first_heights(heights_only(before), heights_only(after));
   if (!change || !spoils_walls(*change)) return;
-  damage.node = change->worst_node;
-  damage.text = "first heights changed by more than 5 % at " + number("%.3g", 100 * change->off) +
-                " % of the wall nodes, at worst to " + number("%.3g", change->worst_ratio) +
-                " times what they were at " + place_text(after.coordinates.xy(change->worst_node));
+  damage.node = change->harmed_node;
+  const double off = change->off_stretched + change->off_isotropic;
+  const char* by = change->off_isotropic == 0   ? "by more than 5 %"
+                   : change->off_stretched == 0 ? "by a factor of more than 1.5"
+                                                : "by more than 5 %, of isotropic cells by a "
+                                                  "factor of more than 1.5,";
+  damage.text = std::string("first heights changed ") + by + " at " + number("%.3g", 100 * off) +
+                " % of the wall nodes, at worst to " + number("%.3g", change->harmed_ratio) +
+                " times what they were at " + place_text(after.coordinates.xy(change->harmed_node));
 }
 
 void describe_sine(double before, double after, const Mesh& mesh, Damage& damage) {
@@ -50,38 +56,71 @@ void describe_sine(double before, double after, const Mesh& mesh, Damage& damage
 
 }  // namespace
 
+namespace {
+
+/// Collects the changes at single nodes.
+class HeightChanges {
+ public:
+  void add(Index node, double ratio, bool isotropic) {
+    ratios_.push_back(ratio);
+    const bool changed = std::abs(ratio - 1) > FirstHeightChange::tolerance;
+    const double factor = std::abs(std::log(ratio));
+    if (changed) ++changed_;
+    if (change_.worst_node < 0 || factor > worst_factor_) {
+      worst_factor_ = factor;
+      change_.worst_node = node;
+      change_.worst_ratio = ratio;
+    }
+    if (isotropic ? factor < std::log(FirstHeightChange::isotropic_factor) : !changed) return;
+    ++(isotropic ? isotropic_ : stretched_);
+    if (std::abs(ratio - 1) > grossly_changed) change_.gross = true;
+    if (change_.harmed_node >= 0 && factor <= harmed_factor_) return;
+    harmed_factor_ = factor;
+    change_.harmed_node = node;
+    change_.harmed_ratio = ratio;
+  }
+
+  FirstHeightChange all() {
+    if (!ratios_.empty()) {
+      const auto share = [&](std::size_t count) {
+        return static_cast<double>(count) / static_cast<double>(ratios_.size());
+      };
+      change_.off = share(changed_);
+      change_.off_stretched = share(stretched_);
+      change_.off_isotropic = share(isotropic_);
+    }
+    change_.ratio = quantiles_of(std::move(ratios_));
+    return change_;
+  }
+
+ private:
+  FirstHeightChange change_;
+  std::vector<double> ratios_;
+  std::size_t changed_ = 0, stretched_ = 0, isotropic_ = 0;
+  double worst_factor_ = 0, harmed_factor_ = 0;
+};
+
+}  // namespace
+
 std::optional<FirstHeightChange> compare_first_heights(std::span<const WallMeasures> before,
                                                        std::span<const WallMeasures> after) {
   const auto same = [](const WallMeasures& a, const WallMeasures& b) {
     return a.wall.nodes == b.wall.nodes;
   };
   if (!std::ranges::equal(before, after, same)) return std::nullopt;
-  FirstHeightChange change;
-  std::vector<double> ratios;
-  std::size_t changed = 0;
-  double worst_factor = 0;
+  HeightChanges changes;
   for (std::size_t w = 0; w < before.size(); ++w)
     for (std::size_t k = 0; k < before[w].first_height.size(); ++k) {
-      const double ratio = after[w].first_height[k] / before[w].first_height[k];
+      const double height = before[w].first_height[k], ratio = after[w].first_height[k] / height;
       if (!std::isfinite(ratio)) continue;
-      ratios.push_back(ratio);
-      if (std::abs(ratio - 1) > FirstHeightChange::tolerance) ++changed;
-      const double factor = std::abs(std::log(ratio));
-      if (change.worst_node >= 0 && factor <= worst_factor) continue;
-      worst_factor = factor;
-      change.worst_node = before[w].wall.nodes[k];
-      change.worst_ratio = ratio;
+      const bool isotropic = before[w].spacing[k] < FirstHeightChange::isotropic_stretch * height;
+      changes.add(before[w].wall.nodes[k], ratio, isotropic);
     }
-  if (!ratios.empty())
-    change.off = static_cast<double>(changed) / static_cast<double>(ratios.size());
-  change.ratio = quantiles_of(std::move(ratios));
-  return change;
+  return changes.all();
 }
 
 bool spoils_walls(const FirstHeightChange& change) {
-  if (change.off > changed_share) return true;
-  return change.ratio.count > 0 &&
-         (change.ratio.min < 1 - grossly_changed || change.ratio.max > 1 + grossly_changed);
+  return change.gross || change.off_stretched + change.off_isotropic > changed_share;
 }
 
 Damage find_damage(const Mesh& before, const Mesh& after) {

@@ -14,14 +14,26 @@ struct FirstHeightChange {
   /// The node with the largest factor of change; -1: there is none.
   Index worst_node = -1;
   double worst_ratio = 1;
+
+  /// A change matters to a flow solver where cells are stretched along the wall, to resolve what
+  /// happens across it. Where they are not, it matters only beyond this factor.
+  static constexpr double isotropic_factor = 1.5;
+  /// Cells are isotropic where the edges along the wall are less than this times the height.
+  static constexpr double isotropic_stretch = 2;
+  /// Shares of the nodes whose changed heights matter, with stretched and with isotropic cells.
+  double off_stretched = 0, off_isotropic = 0;
+  bool gross = false;  ///< one of these heights has changed by more than 20 %
+  /// The node with the largest factor among those whose changed heights matter; -1: there is none.
+  Index harmed_node = -1;
+  double harmed_ratio = 1;
 };
 
 /// Empty if the walls have other nodes: of another mesh, or after layers were inserted.
 std::optional<FirstHeightChange> compare_first_heights(std::span<const WallMeasures> before,
                                                        std::span<const WallMeasures> after);
 
-/// Whether a change spoils the cells at walls: the heights of more than 5 % of the nodes have
-/// changed, or the height of any node by more than 20 %.
+/// Whether a change spoils the cells at walls: more than 5 % of the nodes have changed heights that
+/// matter, or the height of any of them has changed by more than 20 %.
 bool spoils_walls(const FirstHeightChange& change);
 
 /// What a motion or a smoothing run has made worse for a flow solver.

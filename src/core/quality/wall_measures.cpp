@@ -190,6 +190,16 @@ std::vector<double> first_heights(const Mesh& mesh, const Wall& wall) {
   return heights;
 }
 
+std::vector<double> wall_spacings(const Mesh& mesh, const Wall& wall) {
+  const std::size_t n = wall.nodes.size();
+  const auto place = [&](std::size_t k) { return mesh.coordinates.xy(wall.nodes[k % n]); };
+  std::vector<double> spacings;
+  for (std::size_t k = 0; k < n; ++k)
+    spacings.push_back(0.5 *
+                       ((place(k) - place(k + n - 1)).norm() + (place(k + 1) - place(k)).norm()));
+  return spacings;
+}
+
 std::vector<double> first_edge_tilts(const Mesh& mesh, const Wall& wall) {
   const PlanePoints x(mesh.coordinates);
   const std::size_t n = wall.nodes.size();
@@ -260,6 +270,7 @@ WallReport measure_walls(const Mesh& mesh) {
     WallMeasures& of = report.walls.emplace_back();
     of.first_height = first_heights(mesh, wall);
     of.tilt = first_edge_tilts(mesh, wall);
+    of.spacing = wall_spacings(mesh, wall);
     const std::vector<double> growth = values_of(column_growth(mesh, wall));
     of.growth = quantiles_of(growth);
     of.wall = std::move(wall);

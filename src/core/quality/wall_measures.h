@@ -45,6 +45,9 @@ Quantiles quantiles_of(std::vector<double> values);
 /// the edge has no height.
 std::vector<double> first_heights(const Mesh& mesh, const Wall& wall);
 
+/// Mean lengths of the two wall edges at the nodes of a wall (#nodes of it), in units of the mesh.
+std::vector<double> wall_spacings(const Mesh& mesh, const Wall& wall);
+
 /// Angles in degrees between the first edge off each node of a wall and the wall's normal there
 /// (#nodes; NaN if no edge leads off the wall, or the normal is not defined). The normal is the
 /// mean of the unit normals of the two wall edges; the first edge is the one with the least angle.
@@ -73,6 +76,7 @@ std::vector<double> values_of(std::span<const NeighbourRatio> ratios);
 struct WallMeasures {
   Wall wall;
   std::vector<double> first_height, tilt;  ///< see first_heights() and first_edge_tilts()
+  std::vector<double> spacing;             ///< see wall_spacings()
   Quantiles growth;                        ///< of column_growth()
 };
 

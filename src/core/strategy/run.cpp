@@ -4,11 +4,26 @@
 
 namespace winslow {
 
+namespace {
+
+/// What holds the boundary under the bodies, as clauses. contact: only what takes part in it.
+std::string held_footholds(const SmoothResult& result, const EdgePair* contact) {
+  std::string text;
+  for (const HeldFoothold& held : result.boundary.held_footholds)
+    if (!contact || contact->moving == held.marker || contact->other == held.marker)
+      text += "; " + held.description();
+  return text;
+}
+
+}  // namespace
+
 std::string why_incomplete(const SmoothResult& result) {
-  if (result.contact) return describe(*result.contact);
+  if (result.contact)
+    return describe(*result.contact) + held_footholds(result, &result.contact->edges);
   if (!result.limited_by.empty()) return result.limited_by + " beyond";
   if (result.out_of_iterations) return "the limit of iterations was reached";
   std::string text = "no valid mesh was found beyond";
+  if (const std::string held = held_footholds(result, nullptr); !held.empty()) return text + held;
   if (result.gap) text += "; " + describe(*result.gap);
   return text;
 }

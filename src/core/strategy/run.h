@@ -78,6 +78,13 @@ class SolverMonitor {
   virtual bool cancelled() { return false; }
 };
 
+/// The nodes of the bodies of a motion, ascending.
+struct BodyNodes {
+  std::vector<Index> all;
+  /// Those that the boundary under them gives way to: all that change their places.
+  std::vector<Index> standing;
+};
+
 /// Inputs of a run besides its command.
 struct RunOptions {
   SolverMonitor* monitor = nullptr;
@@ -95,6 +102,9 @@ struct RunOptions {
   bool never_worse = false;
   /// Contents of the files that the command names: set by execute().
   SlideFiles files = {};
+  /// Bodies to which the boundary that they stand on gives way (let_footholds_slide()): set by
+  /// commands that move bodies, and by drags. Null: nothing gives way.
+  const BodyNodes* bodies = nullptr;
   /// Fixed nodes (ascending), for a command with several runs: determined once, in the initial
   /// mesh. Null: those of SmoothOptions::keep_outside in the mesh of this run.
   const std::vector<Index>* kept = nullptr;

@@ -75,7 +75,8 @@ double RunSequence::open(const MeshState& outside, const LayerStack& stack, cons
                          const SmoothOptions& smooth, Coordinates& x) {
   relay_.begin(result_.outer_iterations, &stack);
   RunOptions own = options_;
-  own.cache = nullptr;  // another connectivity, used only here
+  own.cache = nullptr;   // another connectivity, used only here
+  own.bodies = nullptr;  // rims are no bodies
   SmoothResult result = smooth_motion(outside, motion, {}, smooth, x, own);
   const double reached = result.fraction_reached;
   append(result_, std::move(result));

@@ -18,6 +18,16 @@ OptionTable sliding_rows(SlideOptions& slide) {
        .object = "slide",
        .flag = "slide",
        .applies = !slide.markers.empty()},
+      {.key = "fixed",
+       .value = NamesOption{&slide.fixed},
+       .label = "Fixed markers",
+       .help = "Markers that stay where a moving body stands on them; without, straight lines, "
+               "circles, planes, cylinders and spheres give way: their nodes slide",
+       .advice = "Where the nodes of such a marker must keep their places: the body then goes as "
+                 "far as the elements at its foot allow.",
+       .object = "slide",
+       .flag = "fixed",
+       .applies = !slide.fixed.empty()},
       {.key = "feature_angle",
        .value = RealOption{&slide.feature_angle, between(0, 180)},
        .label = "Feature angle",
@@ -214,6 +224,30 @@ std::string text_of(const InterfaceReport& report) {
   if (report.each.size() > few)
     list += " and " + std::to_string(report.each.size() - few) + " more";
   return text + "regions meet (" + list + ")";
+}
+
+void require_fixed(const SlideOptions& slide, const Topology& topology,
+                   std::span<const std::string> moving) {
+  topology.markers().nodes_of(slide.fixed);  // throws with a list of the markers if one is unknown
+  const auto in = [](std::span<const std::string> names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  for (const std::string& name : slide.fixed) {
+    const char* what = in(slide.markers, name)    ? "to slide"
+                       : in(slide.periodic, name) ? "to be periodic"
+                       : in(moving, name)         ? "to move"
+                                                  : nullptr;
+    if (what)
+      throw UsageError("slide.fixed: marker \"" + name + "\" is to be fixed and " + what +
+                       ": expected one");
+  }
+}
+
+std::string HeldFoothold::description() const {
+  const bool several = body.find(',') != std::string::npos;
+  return (body.empty() ? "what moves" : body) + (several ? " share " : " shares ") +
+         std::to_string(nodes) + (nodes == 1 ? " node" : " nodes") + " with " + marker +
+         ", which stays (" + by + ")";
 }
 
 bool stop_sliding(SlideOptions& slide, const std::string& marker) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/sliding_boundary.h"
+#include "core/geometry/footholds.h"
 #include "core/mesh/mesh.h"
 #include "core/options/option.h"
 #include "core/problem/node_classes.h"
@@ -26,6 +26,8 @@ struct SlideOptions {
   double feature_angle = 40;  ///< degrees; where a marker turns by more, the corner is fixed
   SlideSpacing spacing = SlideSpacing::automatic;
   std::vector<std::string> held_markers;  ///< spacing held regardless of `spacing`
+  /// Markers that stay where a moving body stands on them, instead of giving way.
+  std::vector<std::string> fixed;
   bool features = false;       ///< in space: nodes also slide along the edges of the markers
   bool surface_first = false;  ///< volume mesh: smooth the sliding boundary before the interior
   std::string reference;  ///< in space: file of a surface to slide on, instead of the mesh's own
@@ -50,6 +52,10 @@ FeatureRules feature_rules(const SlideOptions& slide);
 /// What nodes do in which regions meet, where the options leave it open (Interfaces::automatic): a
 /// motion leaves them free, smoothing without one holds them.
 Interfaces interfaces_in(Interfaces wanted, bool motion);
+/// Throws UsageError for a marker of `fixed` that the mesh does not have, that slides or is
+/// periodic as well, or that moves. moving: markers of a motion.
+void require_fixed(const SlideOptions& slide, const Topology& topology,
+                   std::span<const std::string> moving);
 /// Removes a marker from the sliding ones. Returns whether it was one.
 bool stop_sliding(SlideOptions& slide, const std::string& marker);
 
@@ -94,6 +100,16 @@ struct InterfaceReport {
 /// As a clause: "holds 42 nodes in which the regions rock and sand meet"; empty if there are none.
 std::string text_of(const InterfaceReport& report);
 
+/// A marker that stays although a moving body stands on it.
+struct HeldFoothold {
+  std::string body, marker;
+  std::size_t nodes = 0;  ///< that they share
+  std::string by;         ///< what holds it: "--fixed symmetry", "the pointwise form"
+
+  /// "wing shares 24 nodes with symmetry, which stays (--fixed symmetry)".
+  std::string description() const;
+};
+
 /// How the moving boundary nodes were classified.
 struct MovingBoundary {
   std::vector<SlidingPart> sliding;
@@ -103,6 +119,9 @@ struct MovingBoundary {
   /// Sliding nodes that give way to a body that stands on their boundary: see let_bodies_slide().
   std::vector<Index> yielding;
   InterfaceReport interfaces;
+  /// What the bodies of a motion stand on, besides markers that slide anyway.
+  std::vector<Foothold> footholds;
+  std::vector<HeldFoothold> held_footholds;
 };
 
 /// Sets the nodes of the markers to slide, couples those of the pairs, fixes the nodes to hold, and

@@ -1,10 +1,12 @@
 #include "core/strategy/sliding.h"
 
+#include <iterator>
 #include <set>
 
 #include "core/error.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/element_type.h"
+#include "core/mesh/index_sets.h"
 #include "core/mesh/surface_faces.h"
 #include "core/options/option.h"
 #include "core/quality/quality.h"
@@ -159,6 +161,208 @@ std::unique_ptr<const Motion> with_rows(const Motion& motion, const CurveRows& r
 
 namespace {
 
+bool contains(std::span<const std::string> names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+std::vector<Index> shared_nodes(const Topology& topology, const std::string& marker,
+                                std::span<const Index> ascending) {
+  const auto nodes = topology.markers().nodes(*topology.markers().find(marker));
+  std::vector<Index> shared;
+  std::ranges::set_intersection(nodes, ascending, std::back_inserter(shared));
+  return shared;
+}
+
+/// The moving markers that have the nodes: "slat, main".
+std::string bodies_with(const Topology& topology, std::span<const Index> moving,
+                        std::vector<Index> nodes) {
+  std::string text;
+  while (!nodes.empty()) {
+    const std::string name = body_with(topology, moving, nodes.front());
+    nodes.erase(nodes.begin());
+    if (name.empty()) continue;
+    text += (text.empty() ? "" : ", ") + name;
+    const auto of_body = topology.markers().nodes(*topology.markers().find(name));
+    std::erase_if(nodes, [&](Index node) { return std::ranges::binary_search(of_body, node); });
+  }
+  return text;
+}
+
+/// Nodes that do not slide on footholds: they are held, or have a class already.
+std::vector<unsigned char> taken_nodes(const SlideOptions& slide, const NodeClasses& classes) {
+  std::vector<unsigned char> taken(at(classes.topology().node_count()), 0);
+  for (const Index node : slide.hold_nodes) taken[at(node)] = 1;
+  for (Index node = 0; node < classes.topology().node_count(); ++node)
+    if (classes.slides(node) || classes.tied().partner(node)) taken[at(node)] = 1;
+  return taken;
+}
+
+/// The markers that may give way to the bodies; `held_footholds` receives the others.
+std::vector<std::string> markers_that_yield(const SlideOptions& slide, const std::string& held_by,
+                                            const Topology& topology, const BodyNodes& bodies,
+                                            MovingBoundary& boundary) {
+  std::vector<std::string> names;
+  for (const std::string& name : markers_underfoot(topology, bodies.all, bodies.standing)) {
+    const bool paired = std::ranges::any_of(boundary.periodic, [&](const PeriodicPairs& pairs) {
+      return pairs.first == name || pairs.second == name;
+    });
+    if (paired || contains(slide.markers, name)) continue;
+    const bool fixed = contains(slide.fixed, name);
+    if (!fixed && held_by.empty()) {
+      names.push_back(name);
+      continue;
+    }
+    const std::vector<Index> nodes = shared_nodes(topology, name, bodies.standing);
+    boundary.held_footholds.push_back({bodies_with(topology, bodies.all, nodes), name, nodes.size(),
+                                       fixed ? "--fixed " + name : held_by});
+  }
+  return names;
+}
+
+}  // namespace
+
+void let_footholds_slide(const SlideOptions& slide, const std::string& held_by, const Mesh& mesh,
+                         const BodyNodes& bodies, MovingBoundary& boundary, NodeClasses& classes) {
+  const Topology& topology = *mesh.topology;
+  if (bodies.standing.empty()) return;
+  FootholdQuery query;
+  query.markers = markers_that_yield(slide, held_by, topology, bodies, boundary);
+  if (slide.reference.empty())  // else they slide on other shapes than those of the mesh
+    for (const std::string& name : slide.markers)
+      if (!shared_nodes(topology, name, bodies.standing).empty()) query.sliding.push_back(name);
+  if (query.markers.empty() && query.sliding.empty()) return;
+  query.moving = bodies.all;
+  query.standing = bodies.standing;
+  query.taken = taken_nodes(slide, classes);
+  query.angle = slide.feature_angle;
+  Footholds found = find_footholds(topology, mesh.coordinates, query);
+  for (SlidingPart& part : found.sliding.parts) {
+    classes.set_sliding(part.nodes, found.sliding.geometry, mesh.coordinates);
+    part.gives_way = true;
+    boundary.sliding.push_back(std::move(part));
+  }
+  for (Foothold& foothold : found.all)
+    foothold.body = bodies_with(topology, bodies.all, foothold.nodes);
+  boundary.footholds = std::move(found.all);
+}
+
+std::vector<Foothold> footholds_of(const SlideOptions& slide, const std::string& held_by,
+                                   const Mesh& mesh, const BodyNodes& bodies) {
+  if (bodies.standing.empty()) return {};
+  const Topology& topology = *mesh.topology;
+  MovingBoundary none;
+  FootholdQuery query;
+  query.markers = markers_that_yield(slide, held_by, topology, bodies, none);
+  for (const std::string& name : markers_underfoot(topology, bodies.all, bodies.standing))
+    if (contains(slide.markers, name) && slide.reference.empty()) query.markers.push_back(name);
+  if (query.markers.empty()) return {};
+  query.moving = bodies.all;
+  query.standing = bodies.standing;
+  query.angle = slide.feature_angle;
+  return find_footholds(topology, mesh.coordinates, query).all;
+}
+
+std::string what_holds_footholds(const SmoothOptions& options) {
+  if (options.formulation != Formulation::variational)
+    return "the pointwise form knows no geometry of the boundary";
+  if (options.untangle == Untangle::picard)
+    return "the fixed point knows no geometry of the boundary";
+  return {};
+}
+
+namespace {
+
+[[noreturn]] void refuse_foothold(const Foothold& foothold, const std::string& why,
+                                  const std::string& expected) {
+  std::string names, flags;
+  for (const std::string& name : foothold.markers) {
+    names += (names.empty() ? "" : " and ") + name;
+    flags += (flags.empty() ? "" : " ") + ("--fixed " + name);
+  }
+  const bool several = foothold.body.find(',') != std::string::npos;
+  throw UsageError((foothold.body.empty() ? "what moves" : foothold.body) +
+                   (several ? " share " : " shares ") + std::to_string(foothold.nodes.size()) +
+                   (foothold.nodes.size() == 1 ? " node" : " nodes") + " with " + foothold.name() +
+                   " (" + foothold.description + "), " + why + ": expected " + expected +
+                   "; move " + names + " as well, or name " +
+                   (foothold.markers.size() > 1 ? "them" : "it") + " in fixed (" + flags +
+                   "): its other nodes then stay");
+}
+
+}  // namespace
+
+BodyNodes body_nodes(const Motion& motion, const Coordinates& rest) {
+  constexpr double round_off = 1e-12;
+  BodyNodes nodes{{motion.nodes().begin(), motion.nodes().end()}, {}};
+  const double least = round_off * body_box(rest, nodes.all).size().norm();
+  std::vector<unsigned char> moves(nodes.all.size(), 0);
+  Coordinates x = rest;
+  for (const double fraction : {1.0, 0.5, 0.25}) {
+    motion.apply(rest, fraction, x);
+    for (std::size_t i = 0; i < nodes.all.size(); ++i)
+      if ((place_of(x, nodes.all[i]) - place_of(rest, nodes.all[i])).norm() > least) moves[i] = 1;
+  }
+  for (std::size_t i = 0; i < nodes.all.size(); ++i)
+    if (moves[i] != 0) nodes.standing.push_back(nodes.all[i]);
+  return nodes;
+}
+
+namespace {
+
+/// The node that is taken farthest off a foothold; of a foothold that is known only at its nodes,
+/// the one that moves farthest.
+struct Departure {
+  Index node = -1;  ///< -1: none
+  double off = 0;
+};
+
+Departure farthest_off(const Foothold& foothold, const Coordinates& rest, const Coordinates& x,
+                       double least) {
+  constexpr double share = 1e-6;  // of the way of a node
+  Departure farthest;
+  const auto distance = [&](const Vec3& p) { return (foothold.nearest(p) - p).norm(); };
+  for (const Index node : foothold.nodes) {
+    const Vec3 from = place_of(rest, node), to = place_of(x, node);
+    const double moved = (to - from).norm();
+    const double off = foothold.goes_on ? distance(to) - distance(from) : moved;
+    if (off > std::max(least + share * moved, farthest.off)) farthest = {node, off};
+  }
+  return farthest;
+}
+
+}  // namespace
+
+void require_on_footholds(const Mesh& mesh, const Motion& motion,
+                          std::span<const Foothold> footholds) {
+  if (footholds.empty()) return;
+  constexpr double share = 1e-6;  // of the bodies
+  const int dimension = mesh.coordinates.dimension();
+  const double least = share * body_box(mesh.coordinates, motion.nodes()).size().norm();
+  Coordinates x = mesh.coordinates;
+  for (const double fraction : {1.0, 0.5, 0.25}) {
+    motion.apply(mesh.coordinates, fraction, x);
+    for (const Foothold& foothold : footholds) {
+      const Departure farthest = farthest_off(foothold, mesh.coordinates, x, least);
+      if (farthest.node < 0) continue;
+      const std::string where = "node " + std::to_string(farthest.node) + " at " +
+                                place_text(place_of(mesh.coordinates, farthest.node), dimension);
+      if (foothold.goes_on)
+        refuse_foothold(
+            foothold,
+            "and the motion takes them off it, " + where + " by " + number_text(farthest.off),
+            "a motion along it");
+      const bool line = dimension == 2 || foothold.edge;
+      refuse_foothold(foothold,
+                      std::string("which is no ") +
+                          (line ? "straight line or circle" : "plane, cylinder or sphere") +
+                          " there and cannot give way, and the motion takes " + where + " along",
+                      "a motion that leaves these nodes where they are");
+    }
+  }
+}
+
+namespace {
+
 /// A node of a body and an adjacent sliding node, on a face of the boundary.
 struct Junction {
   Index moving, sliding;
@@ -218,6 +422,7 @@ void require_along(const Mesh& mesh, const Motion& motion, const std::vector<Sli
 
 void let_bodies_slide(const Mesh& mesh, const Motion& motion, const NodeClasses& classes,
                       MovingBoundary& boundary) {
+  require_on_footholds(mesh, motion, boundary.footholds);
   if (boundary.sliding.empty()) return;
   const std::vector<Junction> junctions =
       find_junctions(*mesh.topology, motion.nodes(), boundary.sliding);
@@ -229,6 +434,33 @@ void let_bodies_slide(const Mesh& mesh, const Motion& motion, const NodeClasses&
     const std::vector<Index>& nodes = boundary.sliding[part].nodes;
     boundary.yielding.insert(boundary.yielding.end(), nodes.begin(), nodes.end());
   }
+}
+
+std::string fixed_marker_at(const Topology& topology, const Damage& damage,
+                            std::span<const std::string> moving, const SlideOptions& slide) {
+  std::vector<Index> nodes;
+  if (damage.element)
+    nodes.assign(topology.element(*damage.element).begin(),
+                 topology.element(*damage.element).end());
+  if (damage.node) nodes.push_back(*damage.node);
+  const Markers& markers = topology.markers();
+  std::vector<Index> taken;
+  for (const std::string& name : moving)
+    if (const auto m = markers.find(name))
+      taken.insert(taken.end(), markers.nodes(*m).begin(), markers.nodes(*m).end());
+  sort_unique(taken);
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const std::string& name = markers[m].name;
+    if (contains(moving, name) || contains(slide.markers, name) || contains(slide.periodic, name))
+      continue;
+    const auto of_marker = markers.nodes(static_cast<Index>(m));
+    const auto in = [](std::span<const Index> ascending) {
+      return [ascending](Index node) { return std::ranges::binary_search(ascending, node); };
+    };
+    if (std::ranges::any_of(nodes, in(of_marker)) && !std::ranges::any_of(of_marker, in(taken)))
+      return name;
+  }
+  return {};
 }
 
 std::vector<Index> yielding_nodes(const MovingBoundary& boundary, const NodeClasses& classes) {

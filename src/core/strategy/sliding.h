@@ -5,7 +5,9 @@
 #include "core/motion/motion.h"
 #include "core/problem/node_classes.h"
 #include "core/strategy/mesh_state.h"
+#include "core/strategy/run.h"
 #include "core/strategy/slide_options.h"
+#include "core/strategy/smooth_options.h"
 
 namespace winslow {
 
@@ -40,6 +42,33 @@ CurveRows hold_spacing(const SlideOptions& slide, const Mesh& mesh, MovingBounda
 /// Returns `motion` extended to the rows that move with it. `motion` must outlive the result.
 std::unique_ptr<const Motion> with_rows(const Motion& motion, const CurveRows& rows);
 
+/// Lets the boundary on which moving bodies stand give way: the nodes of each part of a fixed
+/// marker (find_footholds()) that is a straight line, a circle, a plane, a cylinder or a sphere
+/// slide, and so do those of straight or circular edges between two such parts. Does so for markers
+/// that neither slide nor are periodic by themselves, except SlideOptions::fixed. held_by: what
+/// holds all of them; empty: nothing. Adds to boundary.sliding, and sets boundary.footholds and
+/// boundary.held_footholds. Call it before let_bodies_slide().
+void let_footholds_slide(const SlideOptions& slide, const std::string& held_by, const Mesh& mesh,
+                         const BodyNodes& bodies, MovingBoundary& boundary, NodeClasses& classes);
+
+/// What bodies stand on: what gives way to them, as in let_footholds_slide(), and parts of markers
+/// that slide by themselves on the shapes of the mesh.
+std::vector<Foothold> footholds_of(const SlideOptions& slide, const std::string& held_by,
+                                   const Mesh& mesh, const BodyNodes& bodies);
+
+/// What keeps the boundary under bodies from giving way, in the words of HeldFoothold; empty:
+/// nothing.
+std::string what_holds_footholds(const SmoothOptions& options);
+
+/// Throws UsageError if the motion moves the nodes of bodies off what they stand on, or if this is
+/// a curve or a surface that is known only at the mesh nodes. The message names the markers, the
+/// number of nodes and what to do.
+void require_on_footholds(const Mesh& mesh, const Motion& motion,
+                          std::span<const Foothold> footholds);
+
+/// The nodes of a motion, and those that change their places.
+BodyNodes body_nodes(const Motion& motion, const Coordinates& rest);
+
 /// Lets a body that stands on a sliding boundary move along it: the nodes of this boundary give way
 /// on one side of the body and follow on the other. Sets boundary.yielding. Throws UsageError,
 /// naming the first node, if the motion moves the foot of the body off the line, circle, plane,
@@ -47,6 +76,11 @@ std::unique_ptr<const Motion> with_rows(const Motion& motion, const CurveRows& r
 /// nodes.
 void let_bodies_slide(const Mesh& mesh, const Motion& motion, const NodeClasses& classes,
                       MovingBoundary& boundary);
+
+/// The fixed marker at the place of damage, which may be less if its nodes slide: it neither moves
+/// nor slides nor is periodic, and no moving marker shares nodes with it. Empty if there is none.
+std::string fixed_marker_at(const Topology& topology, const Damage& damage,
+                            std::span<const std::string> moving, const SlideOptions& slide);
 
 /// Boundary nodes that give way to a moving body, so contact ignores their edges and faces: those
 /// of periodic pairs, and boundary.yielding. Ascending.

@@ -328,7 +328,7 @@ ChoiceOption left_of(Value& value, const OptionValue& option,
 
 /// Options hidden for surface meshes: only the energy of the variational form smooths and untangles
 /// them, and all nodes slide.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 12> hidden{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 13> hidden{
     {{"", "formulation"},
      {"", "outer"},
      {"", "untangle"},
@@ -339,6 +339,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 12> hidden{
      {"", "vcv_lengths"},
      {"", "vcv_updates"},
      {"slide", "markers"},
+     {"slide", "fixed"},
      {"slide", "surface_first"},
      {"slide", "periodic"}}};
 
@@ -377,6 +378,7 @@ void settle_for_surface(SmoothOptions& options) {
   options.keep_outside = {};
   SlideOptions& slide = options.slide;
   slide.markers.clear();
+  slide.fixed.clear();
   slide.periodic.clear();
   slide.surface_first = false;
 }

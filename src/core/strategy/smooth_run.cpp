@@ -94,6 +94,9 @@ std::shared_ptr<const NodeClasses> classes_of(const MeshState& state, const Moti
   }
   const auto moving = motion ? motion->nodes() : std::span<const Index>();
   result.boundary = make_boundary_move({options.slide, run.files}, state.mesh, moving, *classes);
+  if (run.bodies)
+    let_footholds_slide(options.slide, what_holds_footholds(options), state.mesh, *run.bodies,
+                        result.boundary, *classes);
   if (motion) let_bodies_slide(state.mesh, *motion, *classes, result.boundary);
   classes->set_fixed(run.kept ? *run.kept
                               : nodes_kept_outside(options.keep_outside, *state.mesh.topology,

@@ -9,8 +9,18 @@ namespace winslow::gui {
 
 namespace {
 
-enum class Role { fixed, slides, periodic, listed, moves };
-constexpr std::array words{"fixed", "slides", "periodic", "listed", "moves"};
+enum class Role { fixed, slides, periodic, listed, moves, gives_way };
+constexpr std::array words{"fixed", "slides", "periodic", "listed", "moves", "gives way"};
+
+bool is_listed(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// What nodes do if the selection moves; null: not known yet, or nothing is selected.
+std::shared_ptr<const NodeRoles> roles_of_selection(const PanelContext& context) {
+  if (context.session.selection().markers().empty()) return nullptr;
+  return context.session.inspection().roles.find();
+}
 
 Role role_of(const PanelContext& context, Index marker, const std::string& name) {
   if (context.session.selection().contains(marker)) return Role::moves;
@@ -18,7 +28,10 @@ Role role_of(const PanelContext& context, Index marker, const std::string& name)
   const SlideOptions& slide = context.session.solver_settings().smooth_options().slide;
   if (partner_of(slide, context.session.solver_settings().file_pairs(), name))
     return Role::periodic;
-  return std::ranges::find(slide.markers, name) != slide.markers.end() ? Role::slides : Role::fixed;
+  if (is_listed(slide.markers, name)) return Role::slides;
+  if (is_listed(slide.fixed, name)) return Role::fixed;
+  const auto roles = roles_of_selection(context);
+  return roles && is_listed(roles->give_way, name) ? Role::gives_way : Role::fixed;
 }
 
 void edit_slide(const PanelContext& context, const SlideOptions& slide) {
@@ -27,9 +40,12 @@ void edit_slide(const PanelContext& context, const SlideOptions& slide) {
   context.edit(after);
 }
 
-void toggle_sliding(const PanelContext& context, const std::string& name) {
+void toggle_sliding(const PanelContext& context, Role role, const std::string& name) {
   SlideOptions slide = context.session.solver_settings().smooth_options().slide;
-  if (!stop_sliding(slide, name)) slide.markers.push_back(name);
+  if (role == Role::gives_way)
+    slide.fixed.push_back(name);
+  else if (!stop_sliding(slide, name) && std::erase(slide.fixed, name) == 0)
+    slide.markers.push_back(name);
   edit_slide(context, slide);
 }
 
@@ -68,9 +84,21 @@ std::string tip_of(const PanelContext& context, Role role, const std::string& na
              partner_of(settings.smooth_options().slide, settings.file_pairs(), name).value_or("") +
              ": their nodes move together and keep matching. Click to choose another marker, or "
              "none.";
+    case Role::gives_way:
+      return name +
+             " gives way: what is selected stands on it, so its nodes slide while that moves. "
+             "Click: all of it stays.";
     case Role::fixed:
       break;
   }
+  if (is_listed(settings.smooth_options().slide.fixed, name))
+    return name +
+           " stays, also where a moving body stands on it. Click: it gives way there. Right "
+           "click: periodic with another marker.";
+  if (const auto roles = roles_of_selection(context); roles && is_listed(roles->in_the_way, name))
+    return name +
+           " stays where it is, and what is selected stands on it. It is no straight line, circle, "
+           "plane, cylinder or sphere there, so it cannot give way. Select it as well to move it.";
   return name +
          " stays where it is. Click: its nodes slide along the boundary while the mesh is "
          "smoothed, "
@@ -94,7 +122,9 @@ void draw_pill(const Theme& theme, Role role, bool over, const ImVec2& min, cons
 
 }  // namespace
 
-float role_width(const Theme& theme) { return ImGui::CalcTextSize("periodic").x + 2 * theme.px(6); }
+float role_width(const Theme& theme) {
+  return ImGui::CalcTextSize("gives way").x + 2 * theme.px(6);
+}
 
 void draw_role(const PanelContext& context, Index marker, const ImVec2& min, const ImVec2& max) {
   const std::string& name = context.topology()->markers()[static_cast<std::size_t>(marker)].name;
@@ -110,7 +140,7 @@ void draw_role(const PanelContext& context, Index marker, const ImVec2& min, con
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || (role == Role::periodic && pressed))
     context.emit(action::ShowContextMenu{PickedPlace{{}, {marker}, {}, {}}});
   else if (pressed && toggles)
-    toggle_sliding(context, name);
+    toggle_sliding(context, role, name);
   draw_pill(context.theme, role, over, min, max);
 }
 
@@ -264,7 +294,9 @@ void draw_role_settings(const PanelContext& context, bool& previewed) {
     show_preview(context, previewed, false);
   const bool regions_meet = !context.topology()->interfaces().empty();
   if (regions_meet) draw_interfaces(context, slide);
-  if (surface || regions_meet || slide.given()) draw_found(context);
+  const auto roles = roles_of_selection(context);
+  const bool stands = roles && !(roles->give_way.empty() && roles->in_the_way.empty());
+  if (surface || regions_meet || slide.given() || stands) draw_found(context);
 }
 
 }  // namespace winslow::gui

@@ -197,3 +197,29 @@ TEST_CASE("a drag wants a motion that its mesh has") {
       "an axis or a third component: only for a volume mesh, and this is a plane mesh", UsageError);
   CHECK_THROWS_AS(DragSession(space, DragGrip{{"nobody"}, {}, {}}, {}), UsageError);
 }
+
+TEST_CASE("a drag keeps a body on the planes on which it stands, which give way") {
+  const MeshState state =
+      make_state(make_mesh(box_with_body_on_two_planes(6, Volumes::tetrahedra)));
+  DragSession drag(state, DragGrip{{"body"}, {}, {}}, {});
+  // Off both planes, and turned about an axis that leaves one of them.
+  const RigidMotion wanted{0, Vec3(0.5, 0, 0), Vec3(0.15, -0.05, 0.1), Vec3(0, 0, 1)};
+  const RigidMotion along = drag.along(wanted);
+  CHECK((Vec3(along.translate) - Vec3(0.15, 0, 0)).norm() < 1e-14);
+  RigidMotion turned = wanted;
+  turned.rotate = 10;
+  CHECK(drag.along(turned).rotate == 0);
+  REQUIRE(wait_until([&] {
+    drag.to(wanted);
+    return drag.settled();
+  }));
+  const DragFrame& frame = drag.to(wanted);
+  CHECK(drag.error().empty());
+  CHECK_FALSE(frame.held);
+  CHECK(same_motion(frame.motion, along));
+  MoveCommand command;
+  command.bodies[0].markers = {"body"};
+  command.bodies[0].motion = along;
+  CHECK(largest_difference(frame.coordinates, execute(command, state).state.mesh.coordinates) <
+        1e-7);
+}

@@ -54,7 +54,7 @@ TEST_CASE("held stretches stay, or move with a body that moves an end of them") 
   CHECK(count_of(stays, NodeRole::corner) == 7);
   CHECK(stays.found[0] == "top: straight line, spacing held: stays between its ends");
   const NodeRoles moves = node_roles(mesh, slide, {"left"});
-  CHECK(count_of(moves, NodeRole::moves) == 7 + 5);
+  CHECK(count_of(moves, NodeRole::moves) == 7 + 5 + 5);  // the bottom follows, too
   CHECK(moves.found[0] == "top: straight line, spacing held: follows its ends");
 }
 
@@ -148,4 +148,23 @@ TEST_CASE("what cannot slide or pair is said, and the boundary stays") {
   slide.periodic.clear();
   slide.markers = {"nowhere"};
   CHECK(node_roles(mesh, slide, {}).fault.find("nowhere") != std::string::npos);
+}
+
+TEST_CASE("roles show what gives way to what moves, and what holds it") {
+  const Mesh mesh = make_mesh(box_with_body_on_two_planes(6, Volumes::tetrahedra));
+  SlideOptions slide;
+  const NodeRoles roles = node_roles(mesh, slide, {"body"});
+  CHECK(roles.fault.empty());
+  CHECK(roles.give_way == std::vector<std::string>{"floor", "side"});
+  CHECK(roles.in_the_way.empty());
+  CHECK(count_of(roles, NodeRole::on_curve) == 2);  // of the edge, one on either side of the body
+  CHECK(count_of(roles, NodeRole::on_surface) > 20);
+  CHECK(node_roles(mesh, slide, {}).give_way.empty());
+  slide.fixed = {"side", "floor"};
+  const NodeRoles held = node_roles(mesh, slide, {"body"});
+  CHECK(held.give_way.empty());
+  CHECK(count_of(held, NodeRole::on_surface) == 0);
+  REQUIRE(held.found.size() == 2);
+  CHECK(std::ranges::count(held.found,
+                           "body shares 7 nodes with side, which stays (--fixed side)") == 1);
 }

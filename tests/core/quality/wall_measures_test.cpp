@@ -179,6 +179,33 @@ TEST_CASE("first heights of two meshes are compared node by node") {
   CHECK_FALSE(compare_first_heights(measure_walls(before).walls, measure_walls(other).walls));
 }
 
+TEST_CASE("heights of isotropic cells may change by half before that is damage") {
+  // Edges along the wall of .157, heights of .15 and of .05.
+  const Mesh isotropic = make_mesh(o_grid(40, 6, 0.15, 1.2));
+  const Mesh stretched = make_mesh(o_grid(40, 6, 0.05, 1.2));
+  const auto raised = [](const Mesh& mesh, double height) {
+    Mesh after = mesh;
+    for (Index k = 0; k < 20; ++k)
+      after.coordinates.set_xy(40 + k, (1 + height) * mesh.coordinates.xy(k));
+    return after;
+  };
+  const auto change = [](const Mesh& a, const Mesh& b) {
+    return compare_first_heights(measure_walls(a).walls, measure_walls(b).walls).value();
+  };
+  const FirstHeightChange less = change(isotropic, raised(isotropic, 1.4 * 0.15));
+  CHECK(less.off == doctest::Approx(0.5));  // the figures are what they were
+  CHECK(less.harmed_node == -1);
+  CHECK_FALSE(spoils_walls(less));
+  CHECK(find_damage(isotropic, raised(isotropic, 1.4 * 0.15)).text.empty());
+  CHECK(spoils_walls(change(stretched, raised(stretched, 1.4 * 0.05))));
+  const Damage more = find_damage(isotropic, raised(isotropic, 1.6 * 0.15));
+  CHECK(more.text.starts_with(
+      "first heights changed by a factor of more than 1.5 at 50 % of the wall nodes, at worst to "
+      "1.6 times"));
+  CHECK(find_damage(stretched, raised(stretched, 1.1 * 0.05))
+            .text.starts_with("first heights changed by more than 5 % at 50 % of the wall nodes"));
+}
+
 TEST_CASE("damage is named with its figures and its place, and only where there is any") {
   const Mesh before = make_mesh(o_grid(40, 6, 0.01, 1.2));
   Mesh after = before;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/command/command.h"
+#include "core/command/moving_mesh.h"
 #include "core/error.h"
 #include "core/quality/quality.h"
 #include "support/meshes.h"
@@ -152,7 +153,9 @@ TEST_CASE("a gate moves along a floor that slides, and not off it") {
   MoveCommand move;
   move.bodies[0].markers = {"gate"};
   move.bodies[0].motion.translate = Vec2(1, 0);
+  move.smooth.slide.fixed = {"floor"};
   CHECK(execute(move, make_state(mesh)).smooth.contact);
+  move.smooth.slide.fixed.clear();
   move.smooth.slide.markers = {"floor"};
   const CommandResult result = execute(move, make_state(mesh));
   REQUIRE(result.smooth.converged);
@@ -294,6 +297,183 @@ TEST_CASE("what does not go with sliding is refused by name") {
   smooth.smooth.slide = {};
   smooth.smooth.slide.periodic = {"outer"};
   CHECK_THROWS_WITH_AS(execute(smooth, state), doctest::Contains("expected pairs"), UsageError);
+}
+
+namespace {
+
+/// A move of the body of box_with_body_on_two_planes().
+MoveCommand body_moved(const Vec3& by) {
+  MoveCommand move;
+  move.bodies[0].markers = {"body"};
+  move.bodies[0].motion.translate = by;
+  move.smooth.targets = TargetBlend::regular();
+  return move;
+}
+
+}  // namespace
+
+TEST_CASE("planes under a body give way by themselves, and so does the edge between them") {
+  for (const Volumes volumes : {Volumes::tetrahedra, Volumes::hexahedra}) {
+    CAPTURE(name_of(volumes));
+    const Mesh mesh = make_mesh(box_with_body_on_two_planes(6, volumes));
+    const CommandResult result = execute(body_moved({0.2, 0, 0}), make_state(mesh));
+    REQUIRE(result.smooth.converged);
+    CHECK(result.smooth.fraction_reached == 1);
+    CHECK(result.smooth.inverted == 0);
+    CHECK(result.smooth.boundary.footholds.size() == 4);
+    const auto on = [&](const char* marker, int axis) {
+      for (const Index node :
+           mesh.topology->markers().nodes(*mesh.topology->markers().find(marker)))
+        CHECK(result.state.mesh.coordinates.xyz(node)[axis] == 0);
+    };
+    on("side", 1);
+    on("floor", 2);
+    std::size_t moved = 0;
+    for (const SlidingPart& part : result.smooth.boundary.sliding) {
+      CHECK(part.gives_way);
+      for (const Index node : part.nodes)
+        if (!mesh.coordinates.same_place(node, result.state.mesh.coordinates)) ++moved;
+    }
+    CHECK(moved > 20);
+    // As with the options that say so.
+    MoveCommand named = body_moved({0.2, 0, 0});
+    named.smooth.slide.markers = {"side", "floor"};
+    const CommandResult same = execute(named, make_state(mesh));
+    CHECK(largest_difference(same.state.mesh.coordinates, result.state.mesh.coordinates) < 1e-8);
+    named.smooth.slide.features = true;
+    const CommandResult by_options = execute(named, make_state(mesh));
+    CHECK(by_options.smooth.boundary.footholds.empty());
+    CHECK(largest_difference(by_options.state.mesh.coordinates, result.state.mesh.coordinates) <
+          1e-8);
+  }
+}
+
+TEST_CASE("a body that slid stays on its planes: in two steps it gets where one takes it") {
+  const MeshState state =
+      make_state(make_mesh(box_with_body_on_two_planes(6, Volumes::tetrahedra)));
+  const CommandResult once = execute(body_moved({0.16, 0, 0}), state);
+  const CommandResult half = execute(body_moved({0.08, 0, 0}), state);
+  const CommandResult twice = execute(body_moved({0.08, 0, 0}), half.state);
+  CHECK(twice.smooth.boundary.footholds.size() == 4);
+  CHECK(largest_difference(twice.state.mesh.coordinates, once.state.mesh.coordinates) < 1e-7);
+  MovingMesh moving(state);
+  for (const double x : {0.05, 0.16, 0.1, 0.16}) {
+    const CommandResult now = moving.to(body_moved({x, 0, 0}));
+    CHECK(now.smooth.fraction_reached == 1);
+    if (x == 0.16)
+      CHECK(largest_difference(now.state.mesh.coordinates, once.state.mesh.coordinates) < 1e-7);
+  }
+}
+
+TEST_CASE("what still holds a body is named, with its nodes and the option") {
+  const MeshState state =
+      make_state(make_mesh(box_with_body_on_two_planes(6, Volumes::tetrahedra)));
+  MoveCommand move = body_moved({0.25, 0, 0});
+  move.smooth.slide.fixed = {"floor"};
+  RunOptions whole;
+  whole.all_or_nothing = true;
+  const CommandResult held = execute(move, state, whole);
+  CHECK(held.smooth.fraction_reached == 0);
+  CHECK(why_incomplete(held.smooth)
+            .find("; body shares 7 nodes with floor, which stays (--fixed "
+                  "floor)") != std::string::npos);
+  for (const SlidingPart& part : held.smooth.boundary.sliding) CHECK(part.marker == "side");
+
+  move.smooth.slide.fixed.clear();
+  move.smooth.formulation = Formulation::pointwise;
+  const CommandResult pointwise = execute(move, state, whole);
+  CHECK(pointwise.smooth.boundary.sliding.empty());
+  CHECK(why_incomplete(pointwise.smooth).find("the pointwise form") != std::string::npos);
+}
+
+TEST_CASE("a motion off what a body stands on is refused before anything is solved") {
+  const MeshState state =
+      make_state(make_mesh(box_with_body_on_two_planes(6, Volumes::tetrahedra)));
+  CHECK_THROWS_WITH_AS(execute(body_moved({0.1, 0.05, 0}), state),
+                       doctest::Contains("body shares 7 nodes with side (plane), and the motion "
+                                         "takes them off it, node "),
+                       UsageError);
+  CHECK_THROWS_WITH_AS(execute(body_moved({0.1, 0, 0.05}), state),
+                       doctest::Contains("move floor as well, or name it in fixed (--fixed floor)"),
+                       UsageError);
+  // With both fixed the motion is the user's own, as far as the cells allow.
+  MoveCommand fixed = body_moved({0.01, 0.01, 0});
+  fixed.smooth.slide.fixed = {"side", "floor"};
+  CHECK(execute(fixed, state).smooth.fraction_reached == 1);
+
+  MeshData data = box_with_body_on_two_planes(6, Volumes::hexahedra);
+  for (Index i = 0; i < data.node_count(); ++i) {
+    const Vec3 p = data.coordinates.xyz(i);
+    data.coordinates.set_xyz(i, p + Vec3(0, 0, 0.1 * std::sin(3 * p.x()) * p.y() * (1 - p.z())));
+  }
+  CHECK_THROWS_WITH_AS(execute(body_moved({0.1, 0, 0}), make_state(make_mesh(data))),
+                       doctest::Contains("which is no plane, cylinder or sphere there"),
+                       UsageError);
+}
+
+TEST_CASE("in the plane lines and circles under a body give way") {
+  const Mesh square_mesh = make_mesh(square(8, Cells::triangles));
+  MoveCommand piston;
+  piston.bodies[0].markers = {"bottom"};
+  piston.bodies[0].motion.translate = Vec2(0, 0.5);
+  const CommandResult pressed = execute(piston, make_state(square_mesh));
+  REQUIRE(pressed.smooth.converged);
+  CHECK(pressed.smooth.fraction_reached == 1);
+  for (const SlidingPart& part : pressed.smooth.boundary.sliding) {
+    CHECK(part.gives_way);
+    CHECK(part.nodes.size() == 7);
+  }
+  piston.bodies[0].motion.translate = Vec2(0.1, 0.5);
+  CHECK_THROWS_WITH_AS(execute(piston, make_state(square_mesh)),
+                       doctest::Contains("bottom shares 1 node with"), UsageError);
+
+  const Mesh ring = make_mesh(sector(60, 12, 4, Vec2(0, 0)));
+  MoveCommand turn;
+  turn.bodies[0].markers = {"begin"};
+  turn.bodies[0].motion.rotate = 30;
+  turn.bodies[0].motion.pivot = Vec2(0, 0);
+  const CommandResult turned = execute(turn, make_state(ring));
+  REQUIRE(turned.smooth.converged);
+  CHECK(turned.smooth.fraction_reached == 1);
+  for (const SlidingPart& part : turned.smooth.boundary.sliding)
+    for (const Index node : part.nodes)
+      CHECK(turned.state.mesh.coordinates.xy(node).norm() ==
+            doctest::Approx(part.marker == "inner" ? 1 : 2).epsilon(1e-12));
+}
+
+TEST_CASE("nothing gives way to nodes that stay, or to bodies that stand on nothing") {
+  const MeshState state = make_state(make_mesh(square(8, Cells::triangles)));
+  DeformCommand deform;
+  deform.markers = {"bottom"};
+  SineDeformation sine;
+  sine.amplitude = 0.05;
+  sine.fade = Fade::both;
+  deform.shape = sine;
+  const CommandResult free = execute(deform, state);
+  CHECK(free.smooth.boundary.footholds.empty());
+  deform.smooth.slide.fixed = {"left", "right"};
+  CHECK(execute(deform, state).state.mesh.coordinates == free.state.mesh.coordinates);
+
+  MoveCommand move;
+  move.bodies[0].markers = {"hole"};
+  move.bodies[0].motion.rotate = 10;
+  const CommandResult alone =
+      execute(move, make_state(make_mesh(square_with_hole(10, Cells::triangles))));
+  CHECK(alone.smooth.boundary.footholds.empty());
+  CHECK(alone.smooth.boundary.sliding.empty());
+}
+
+TEST_CASE("fixed markers are checked by name") {
+  const MeshState state = make_state(make_mesh(box_with_body_on_two_planes(3, Volumes::hexahedra)));
+  MoveCommand move = body_moved({0.02, 0, 0});
+  const auto refused = [&](const std::string& name, const char* words) {
+    move.smooth.slide.fixed = {name};
+    CHECK_THROWS_WITH_AS(execute(move, state), doctest::Contains(words), UsageError);
+  };
+  refused("lid", "lid");
+  refused("body", "to be fixed and to move");
+  move.smooth.slide.markers = {"side"};
+  refused("side", "to be fixed and to slide");
 }
 
 }  // namespace winslow::test

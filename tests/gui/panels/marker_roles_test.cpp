@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/inspect/node_roles.h"
+#include "gui/document/jobs/run_settings.h"
 #include "gui/support/pixels.h"
 #include "gui/support/rig.h"
 #include "gui/view/overlays/role_overlay.h"
@@ -417,6 +418,31 @@ TEST_CASE("a file that names no pairs offers none") {
   REQUIRE(rig.settle());
   rig.frames(3);
   CHECK_FALSE(rig.visible("markers/file_pairs"));
+}
+
+TEST_CASE("what the selection stands on gives way, until a click fixes it") {
+  Rig rig(1280, 900);
+  rig.open(plane_square());
+  rig.bench->apply(action::SelectMarkers{{rig.marker("bottom")}});
+  const auto give_way = [&] {
+    rig.frames(1);
+    const auto roles = rig.session().inspection().roles.find();
+    return roles && rig.session().inspection().roles.up_to_date() ? roles->give_way
+                                                                  : std::vector<std::string>{};
+  };
+  REQUIRE(rig.wait([&] { return give_way() == std::vector<std::string>{"left", "right"}; }, 30));
+  rig.click("marker_role/left");
+  CHECK(slide_of(rig).fixed == std::vector<std::string>{"left"});
+  REQUIRE(rig.wait([&] { return give_way() == std::vector<std::string>{"right"}; }, 30));
+  rig.click("marker_role/left");
+  CHECK(slide_of(rig).fixed.empty());
+  CHECK(slide_of(rig).markers.empty());
+  // Who moves is not fixed.
+  rig.click("marker_role/right");
+  REQUIRE(slide_of(rig).fixed == std::vector<std::string>{"right"});
+  SlideOptions slide = slide_of(rig);
+  leave_to_motion(slide, nullptr, *rig.mesh().topology, {"right"});
+  CHECK(slide.fixed.empty());
 }
 
 }  // namespace winslow::gui::test

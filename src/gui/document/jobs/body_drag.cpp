@@ -31,8 +31,8 @@ void BodyDrag::begin(const MeshState& state, DragGrip grip, const SmoothOptions&
 }
 
 void BodyDrag::to(const RigidMotion& motion) {
-  wanted_ = motion;
-  frame_ = session_ ? &session_->to(motion) : &still_;
+  wanted_ = session_ ? session_->along(motion) : motion;
+  frame_ = session_ ? &session_->to(wanted_) : &still_;
   if (session_) return;
   const int dimension = still_.coordinates.dimension();
   still_.held = !same_motion(still_.motion, resolve_motion(motion, dimension, Vec3(0, 0, 0)));

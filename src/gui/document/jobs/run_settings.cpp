@@ -68,7 +68,10 @@ std::string pair_sides(SlideOptions& slide, const GivenPeriodicity* file, const 
   take_out(slide, file, *second);
   const PeriodicPairs pairs = PeriodicPairs::find(*mesh.topology, mesh.coordinates, first, *second);
   slide.periodic.insert(slide.periodic.end(), {first, *second});
-  for (const std::string& name : {first, *second}) stop_sliding(slide, name);
+  for (const std::string& name : {first, *second}) {
+    stop_sliding(slide, name);
+    std::erase(slide.fixed, name);
+  }
   return first + " and " + *second + " are periodic: " + pairs.description + ", " +
          counted(pairs.pairs.size(), "pair") + " of nodes.";
 }
@@ -77,6 +80,7 @@ void leave_to_motion(SlideOptions& slide, const GivenPeriodicity* file, const To
                      const std::vector<std::string>& markers) {
   for (const std::string& name : markers) {
     stop_sliding(slide, name);
+    std::erase(slide.fixed, name);
     take_out(slide, file, name);
   }
   // The reference is dropped only in this copy; the settings keep it for later sliding markers.

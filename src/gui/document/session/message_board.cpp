@@ -2,6 +2,7 @@
 
 #include <cctype>
 
+#include "core/strategy/sliding.h"
 #include "gui/base/background.h"
 #include "gui/base/text.h"
 #include "gui/files/assets.h"
@@ -98,7 +99,16 @@ Damage MessageBoard::damage_of_last_command() const {
                               history.state(history.position()).mesh);
   std::string& text = damage.text;
   if (text.empty()) return damage;
+  const Command& last = history.command(history.position());
+  const SmoothOptions* smooth = smooth_options(last);
+  const std::vector<std::string> moving = markers_of(last);
+  const std::string marker =
+      smooth && smooth->formulation == Formulation::variational && !moving.empty()
+          ? fixed_marker_at(*history.state(history.position()).mesh.topology, damage, moving,
+                            smooth->slide)
+          : std::string();
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  if (!marker.empty()) text += "; " + marker + " may slide instead of being fixed";
   text +=
       "; targets that keep the elements' own shapes, such as \"Keep current shapes\", avoid that.";
   return damage;
