@@ -101,7 +101,7 @@ void add_min_quality_flag(CLI::App& app, QualityFloor& floor);
 void add_direct_flag(CLI::App& app, MotionOptions& options);
 
 /// Declares --marker, which may be given several times.
-void add_marker_flag(CLI::App& app, std::vector<std::string>& markers);
+CLI::Option* add_marker_flag(CLI::App& app, std::vector<std::string>& markers);
 
 /// Flags for the walls, heights and columns of layers.
 class LayerFlags {

@@ -330,8 +330,8 @@ void add_direct_flag(CLI::App& app, MotionOptions& options) {
       ->group("Motion");
 }
 
-void add_marker_flag(CLI::App& app, std::vector<std::string>& markers) {
-  app.add_option("--marker", markers, "Marker that moves; several move together")
+CLI::Option* add_marker_flag(CLI::App& app, std::vector<std::string>& markers) {
+  return app.add_option("--marker", markers, "Marker that moves; several move together")
       ->required()
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

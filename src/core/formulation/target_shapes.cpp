@@ -29,7 +29,8 @@ class TargetBuilder {
   /// Whether any of the nodes can move.
   bool movable(std::span<const Index> nodes) const {
     return std::ranges::any_of(nodes, [&](Index node) {
-      return !topology_.on_boundary(node) || (classes_ && classes_->moves(node));
+      if (topology_.on_boundary(node)) return classes_ && classes_->moves(node);
+      return !classes_ || (*classes_)[node] != NodeClass::prescribed;
     });
   }
   bool heeds_vcvs(Index e) const { return !ignores_vcvs(role_of(roles_, e)); }

@@ -8,8 +8,9 @@ namespace winslow {
 
 namespace {
 
-/// The elements that a motion moves and that have no free node.
-std::vector<Index> held_elements(const NodeClasses& classes, const Motion& motion) {
+/// The elements that a motion moves and that have no free node, but for inverted ones.
+std::vector<Index> held_elements(const NodeClasses& classes, const Coordinates& rest,
+                                 const Motion& motion) {
   const Topology& topology = classes.topology();
   std::vector<unsigned char> taken(at(topology.node_count()), 0);
   for (const Index node : motion.nodes()) taken[at(node)] = 1;
@@ -17,7 +18,8 @@ std::vector<Index> held_elements(const NodeClasses& classes, const Motion& motio
   for (Index e = 0; e < topology.element_count(); ++e) {
     const auto nodes = topology.element(e);
     if (std::ranges::none_of(nodes, [&](Index node) { return classes.moves(node); }) &&
-        std::ranges::any_of(nodes, [&](Index node) { return taken[at(node)] != 0; }))
+        std::ranges::any_of(nodes, [&](Index node) { return taken[at(node)] != 0; }) &&
+        !is_inverted(topology, rest, e))
       held.push_back(e);
   }
   return held;
@@ -54,20 +56,19 @@ class Inversions {
 std::optional<HeldInversion> find_held_inversion(const NodeClasses& classes,
                                                  const Coordinates& rest, const Motion& motion,
                                                  MotionPart part) {
-  std::vector<Index> elements = held_elements(classes, motion);
+  std::vector<Index> elements = held_elements(classes, rest, motion);
   if (elements.empty()) return std::nullopt;
   Inversions inversions(classes.topology(), rest, motion, std::move(elements));
   const std::optional<Index> last = inversions.at(1);
   if (part == MotionPart::end)
     return last ? std::optional(HeldInversion{*last, 0, true}) : std::nullopt;
   constexpr int steps = 32, halvings = 12;
-  for (int k = 0; k <= steps; ++k) {
+  for (int k = 1; k <= steps; ++k) {
     double blocked = static_cast<double>(k) / steps;
     std::optional<Index> element = inversions.at(blocked);
     if (!element) continue;
-    HeldInversion found{*element, std::max(0.0, static_cast<double>(k - 1) / steps),
-                        last.has_value()};
-    for (int halving = 0; k > 0 && halving < halvings; ++halving) {
+    HeldInversion found{*element, static_cast<double>(k - 1) / steps, last.has_value()};
+    for (int halving = 0; halving < halvings; ++halving) {
       const double middle = 0.5 * (found.fraction + blocked);
       if (element = inversions.at(middle); element) {
         blocked = middle;
@@ -84,8 +85,8 @@ std::optional<HeldInversion> find_held_inversion(const NodeClasses& classes,
 std::string describe(const HeldInversion& inversion) {
   std::array<char, 32> share{};
   std::snprintf(share.data(), share.size(), "%.3g", 100 * inversion.fraction);
-  const std::string text = "the prescribed nodes invert element " +
-                           std::to_string(inversion.element);
+  const std::string text =
+      "the prescribed nodes invert element " + std::to_string(inversion.element);
   const std::string reason = "no node of it is free, so smoothing cannot mend it";
   if (inversion.at_end) return text + " at " + share.data() + " % of the way: " + reason;
   return text + " at " + share.data() + " % of the way, though not at its end: " + reason +

@@ -8,11 +8,9 @@ namespace winslow {
 /// An element that a motion inverts and that smoothing cannot mend, since none of its nodes is
 /// free: all of them are prescribed or fixed.
 struct HeldInversion {
-  Index element = -1;  ///< the first one to be inverted
-  /// Share of the motion up to which all such elements are right; 0 if one is inverted in the mesh
-  /// as given.
-  double fraction = 0;
-  bool at_end = true;  ///< false: all such elements are right again at the end of the motion
+  Index element = -1;   ///< the first one to be inverted
+  double fraction = 0;  ///< share of the motion up to which all such elements are right
+  bool at_end = true;   ///< false: all such elements are right again at the end of the motion
 
   bool operator==(const HeldInversion&) const = default;
 };
@@ -21,8 +19,8 @@ struct HeldInversion {
 enum class MotionPart { way, end };
 
 /// Finds the first element without free nodes that a motion inverts. It looks at 32 meshes of the
-/// way, so an element that is inverted between two of them alone may be missed. rest: all nodes
-/// before the motion.
+/// way, so an element that is inverted between two of them alone may be missed. Elements that are
+/// inverted before the motion do not count. rest: all nodes before the motion.
 std::optional<HeldInversion> find_held_inversion(const NodeClasses& classes,
                                                  const Coordinates& rest, const Motion& motion,
                                                  MotionPart part);

@@ -5,6 +5,7 @@
 namespace winslow {
 
 std::string why_incomplete(const SmoothResult& result) {
+  if (result.held_inversion) return describe(*result.held_inversion);
   if (result.contact) return describe(*result.contact);
   if (!result.limited_by.empty()) return result.limited_by + " beyond";
   if (result.out_of_iterations) return "the limit of iterations was reached";
