@@ -12,7 +12,7 @@ namespace winslow {
 /// Two boundary edges of a plane mesh, or two boundary faces of a volume mesh, identified by their
 /// markers.
 struct EdgePair {
-  /// Marker names; empty: no marker; "the prescribed nodes inside": around what a motion moves as a
+  /// Marker names; empty: no marker; "what is prescribed inside": around what a motion moves as a
   /// whole inside the mesh.
   std::string moving, other;
   Vec3 place{0, 0, 0};  ///< position at which they meet or are nearest, in units of the mesh

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "core/problem/node_classes.h"
 #include "core/quality/quality.h"
 
 namespace winslow {

@@ -1,9 +1,10 @@
 #pragma once
 
 #include "core/motion/motion.h"
-#include "core/problem/node_classes.h"
 
 namespace winslow {
+
+class NodeClasses;
 
 /// An element that a motion inverts and that smoothing cannot mend, since none of its nodes is
 /// free: all of them are prescribed or fixed.

@@ -277,7 +277,7 @@ void Outline<D>::add(const FacetNodes<D>& nodes, Index marker,
 
 template <int D>
 std::string Outline<D>::marker_name(const Topology& topology, Index marker) {
-  if (marker == prescribed_inside) return "the prescribed nodes inside";
+  if (marker == prescribed_inside) return "what is prescribed inside";
   return marker < 0 ? "" : topology.markers()[static_cast<std::size_t>(marker)].name;
 }
 

@@ -291,10 +291,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
   const bool along_path = how.increments == 0 && !by_fixed_point(options);
   const auto inversion = find_held_inversion(workspace.classes(), state.mesh.coordinates, motion,
                                              along_path ? MotionPart::way : MotionPart::end);
-  if (inversion && !along_path) {
-    result.held_inversion = inversion;
-    if (run.all_or_nothing) return not_begun(state, options, x, std::move(result));
-  }
+  if (!along_path) result.held_inversion = inversion;
   RunRecorder recorder(run.monitor, result, budget(options));
   if (by_fixed_point(options)) {
     move_by_fixed_point(state.mesh.coordinates, motion, how.increments, options.max_iterations,
