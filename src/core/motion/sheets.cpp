@@ -433,7 +433,7 @@ class PassageSearch {
       if (found) passage = *found;
       (found ? blocked : free) = middle;
     }
-    motion_.apply(rest_, blocked, x_);
+    motion_.apply(rest_, free, x_);
     const bool moves = std::ranges::binary_search(motion_.nodes(), passage.node);
     const auto name = [&](Index marker) { return Outline<D>::marker_name(topology_, marker); };
     EdgePair edges{name(moves ? passage.marker : passage.other),

@@ -200,6 +200,14 @@ void take_if_first(const std::optional<HeldInversion>& inversion, SmoothResult& 
   result.contact.reset();
 }
 
+/// Whether a path ended before an element without free nodes is inverted: not earlier, as at a limit.
+/// Meshes with slivers, which come first, are given up.
+bool ended_by(const std::optional<HeldInversion>& inversion, const SmoothResult& result) {
+  constexpr double near = 0.75;
+  return inversion && result.fraction_reached < 1 && result.limited_by.empty() &&
+         !result.out_of_iterations && result.fraction_reached >= near * inversion->fraction;
+}
+
 /// Finds what is certain to block a motion that must be complete: a contact, or an element without
 /// free nodes. The search is faster than making targets and matrices, so it comes first, and the
 /// motion is not begun.
@@ -312,7 +320,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
     if (along_path) x = state.mesh.coordinates;
     steps->move(motion, state.mesh.coordinates, how.increments, x);
   }
-  if (along_path && result.fraction_reached < 1) take_if_first(inversion, result);
+  if (along_path && ended_by(inversion, result)) take_if_first(inversion, result);
   if (!how.floor.given()) follow_with_vcvs(state, workspace, recorder, x);
   if (options.raise_worst) raise_worst_element(workspace, recorder, result.fraction_reached, x);
   result.stretched = stretched(workspace);
