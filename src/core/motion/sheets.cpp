@@ -144,7 +144,7 @@ double weight_at(const Facet<3>& t, std::size_t k) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// One side of a sheet, and the sides that lie on it: their faces opposite to this side.
+/// Faces of one side of a sheet, and those of another side that lie on them.
 template <int D>
 struct SheetSide {
   std::vector<Index> nodes;                ///< of this side, but those of its rim
@@ -204,9 +204,8 @@ class SheetNow {
     for (std::size_t i = 0; i < side_.nodes.size(); ++i) {
       const Index node = side_.nodes[i];
       const Vec<D> p = x_.get<D>(node);
-      const auto near = tree_.nearest(p, std::numeric_limits<double>::infinity(), [&](Index f) {
-        return (p - nearest_point(p, f)).norm();
-      });
+      const auto near = tree_.nearest(p, std::numeric_limits<double>::infinity(),
+                                      [&](Index f) { return (p - nearest_point(p, f)).norm(); });
       if (!near) continue;
       const double depth = depth_behind(p, near->item) - slack(node, near->item);
       if (depth > deepest.depth)
@@ -247,9 +246,8 @@ class SheetNow {
     int facets = 0;
     for (const Index g : side_.at.at(own[corners[0]])) {
       const FacetNodes<D>& other = side_.opposite[at(g)];
-      const bool there = std::ranges::all_of(corners, [&](std::size_t k) {
-        return std::ranges::find(other, own[k]) != other.end();
-      });
+      const bool there = std::ranges::all_of(
+          corners, [&](std::size_t k) { return std::ranges::find(other, own[k]) != other.end(); });
       if (!there) continue;
       ++facets;
       const Facet<D> place = place_of_facet(g);
@@ -284,15 +282,19 @@ template <int D>
 class Sheets {
  public:
   Sheets(const Topology& topology, const Coordinates& rest, std::span<const Index> left_out)
-      : topology_(topology),
-        folded_(FoldedFaces::find<D>(topology, Points<D>(rest), left_out)) {
+      : topology_(topology), folded_(FoldedFaces::find<D>(topology, Points<D>(rest), left_out)) {
     if (folded_.pairs().empty()) return;
     for (const auto& [a, b] : folded_.pairs()) {
       twin_[a] = b;
       twin_[b] = a;
     }
     find_markers();
-    for (const auto& [part, faces] : parts()) add_side(faces);
+    const std::map<Index, Index> part = parts();
+    // At a fork the nodes of three sides lie in one place. Each pair of sides is looked at by
+    // itself.
+    std::map<std::pair<Index, Index>, std::vector<Index>> pairs;
+    for (const auto& [face, twin] : twin_) pairs[{part.at(face), part.at(twin)}].push_back(face);
+    for (const auto& [sides, faces] : pairs) add_side(faces);
   }
 
   const std::vector<SheetSide<D>>& sides() const { return sides_; }
@@ -320,9 +322,9 @@ class Sheets {
     return found != marker_.end() ? found->second : -1;
   }
 
-  /// The faces of each side, by the first of them. Neighbours across an edge, in the plane across a
-  /// node, are of one side, unless they lie on one another: then this is the rim.
-  std::map<Index, std::vector<Index>> parts() const {
+  /// The side of each face, by its number. Neighbours across an edge, in the plane across a node,
+  /// are of one side, unless they lie on one another: then this is the rim.
+  std::map<Index, Index> parts() const {
     std::vector<Index> faces;
     for (const auto& [face, twin] : twin_) faces.push_back(face);
     std::map<std::vector<Index>, std::vector<Index>> around;  // indices into faces, by edge
@@ -339,10 +341,10 @@ class Sheets {
     for (const auto& [edge, list] : around)
       for (std::size_t k = 1; k < list.size(); ++k)
         if (twin_.at(faces[at(list[k])]) != faces[at(list[0])]) sets.join(list[0], list[k]);
-    std::map<Index, std::vector<Index>> parts;
+    std::map<Index, Index> part;
     for (std::size_t i = 0; i < faces.size(); ++i)
-      parts[sets.find(static_cast<Index>(i))].push_back(faces[i]);
-    return parts;
+      part[faces[i]] = sets.find(static_cast<Index>(i));
+    return part;
   }
 
   void add_side(const std::vector<Index>& faces) {

@@ -200,8 +200,8 @@ void take_if_first(const std::optional<HeldInversion>& inversion, SmoothResult& 
   result.contact.reset();
 }
 
-/// Whether a path ended before an element without free nodes is inverted: not earlier, as at a limit.
-/// Meshes with slivers, which come first, are given up.
+/// Whether a path ended before an element without free nodes is inverted: not earlier, as at a
+/// limit. Meshes with slivers, which come first, are given up.
 bool ended_by(const std::optional<HeldInversion>& inversion, const SmoothResult& result) {
   constexpr double near = 0.75;
   return inversion && result.fraction_reached < 1 && result.limited_by.empty() &&

@@ -382,8 +382,9 @@ TEST_CASE("prescribed nodes that other options hold, keep or let slide are refus
     set(deform);
     return complaint_of([&] { execute(deform, make_state(mesh)); });
   };
-  const Index inside = *std::ranges::find_if(
-      solid_of(mesh), [&](Index node) { return !mesh.topology->on_boundary(node); });
+  const std::vector<Index> solid = solid_of(mesh);
+  const Index inside =
+      *std::ranges::find_if(solid, [&](Index node) { return !mesh.topology->on_boundary(node); });
   CHECK(complaint([&](DeformCommand& deform) { deform.smooth.slide.hold_nodes = {inside}; }) ==
         "node " + std::to_string(inside) + " is to be held, and the motion takes it");
   CHECK(

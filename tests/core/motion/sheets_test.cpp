@@ -72,8 +72,8 @@ DisplacementTable bulge(const Mesh& mesh, std::span<const Index> nodes, const Ve
   for (const Index node : nodes) {
     const Vec3 place = place_of(mesh.coordinates, node);
     double share = 1;
-    for (const double c : {place.x(), place.y(), place.z()})
-      share *= std::abs(c - 0.5) < 1e-9 ? 1 : std::cos(1.5 * pi * (c - 0.5));
+    for (int k = 0; k < mesh.coordinates.dimension(); ++k)
+      share *= std::cos(1.5 * pi * (place[k] - 0.5));
     table.entries.push_back(
         {node, {0, 0}, GivenVector::of(mesh.coordinates.dimension(), share * by), 0});
   }
