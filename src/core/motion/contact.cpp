@@ -371,13 +371,13 @@ std::string number(const char* format, double value) {
 
 /// "the two sides of sail would pass through each other at (0, 0.5)".
 std::string describe_passage(const EdgePair& edges) {
-  const std::string place =
-      " at (" + number("%.4g", edges.place.x()) + ", " + number("%.4g", edges.place.y()) +
-      (edges.in_space ? ", " + number("%.4g", edges.place.z()) : "") + ")";
+  const std::string place = " at (" + number("%.4g", edges.place.x()) + ", " +
+                            number("%.4g", edges.place.y()) +
+                            (edges.in_space ? ", " + number("%.4g", edges.place.z()) : "") + ")";
   if (edges.moving == edges.other)
     return "the two sides of " + named(edges.moving) + " would pass through each other" + place;
-  return named(edges.moving) + " would pass through " + named(edges.other) +
-         ", on which it lies," + place;
+  return named(edges.moving) + " would pass through " + named(edges.other) + ", on which it lies," +
+         place;
 }
 
 /// The smallest distance between facets that move and facets that stay.
