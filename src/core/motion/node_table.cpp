@@ -35,8 +35,9 @@ class Candidates {
       if (std::ranges::binary_search(topology_.markers().nodes(static_cast<Index>(m)), node))
         where = "lies on \"" + topology_.markers()[m].name +
                 "\", which does not belong to the chosen markers";
-    return where + ": choose its marker, too, or no marker at all, to prescribe every node of the "
-                   "table";
+    return where +
+           ": choose its marker, too, or no marker at all, to prescribe every node of the "
+           "table";
   }
 
  private:
@@ -226,9 +227,10 @@ std::unique_ptr<Motion> motion_of(const Topology& topology, const Coordinates& r
     else
       nodes = finder.find(components<D>(table, k, entry.position, "z", expected));
     if (nodes.empty())
-      refuse(table, k, candidates.of_markers().empty()
-                           ? "matches no node"
-                           : "matches no node of the chosen markers, and none inside the mesh");
+      refuse(table, k,
+             candidates.of_markers().empty()
+                 ? "matches no node"
+                 : "matches no node of the chosen markers, and none inside the mesh");
     for (const Index node : nodes) {
       const bool there = node >= 0 && node < topology.node_count();
       const Vec<D> place = there ? rest.get<D>(node) : Vec<D>(Vec<D>::Zero());

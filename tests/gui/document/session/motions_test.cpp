@@ -43,7 +43,8 @@ TEST_CASE("nothing selected, nothing moves") {
   CHECK_FALSE(parts.work.held().body);
 }
 
-TEST_CASE("nodes move by a file that is read first, on the boundary and inside, with nothing selected") {
+TEST_CASE(
+    "nodes move by a file that is read first, on the boundary and inside, with nothing selected") {
   SessionParts parts(ring_mesh());
   const Coordinates before = parts.mesh.coordinates();
   const Index inside = parts.free_node();
