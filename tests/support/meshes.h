@@ -66,6 +66,33 @@ inline void add_cell(MeshData& data, Cells cells, Index i, Index j, std::array<I
   }
 }
 
+/// Opens a plane or volume mesh along a sheet without thickness: nodes of the sheet, but for its
+/// rim, get a copy in the same place, for the elements whose centres lie above it. No markers yet.
+inline MeshData opened(const MeshData& closed, const std::function<bool(const Vec3&)>& on_sheet,
+                       const std::function<bool(const Vec3&)>& above) {
+  MeshData data = closed;
+  std::map<Index, Index> copies;
+  for (Index node = 0; node < closed.node_count(); ++node) {
+    const Vec3 place = place_of(closed.coordinates, node);
+    if (!on_sheet(place)) continue;
+    copies[node] = data.node_count();
+    if (closed.coordinates.dimension() == 2)
+      data.coordinates.push_xy(place.head<2>());
+    else
+      data.coordinates.push_xyz(place);
+  }
+  for (Index e = 0; e < closed.element_count(); ++e) {
+    const auto corners = closed.element(e);
+    Vec3 centre(0, 0, 0);
+    for (const Index node : corners) centre += place_of(closed.coordinates, node);
+    if (!above(centre / static_cast<double>(corners.size()))) continue;
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      if (const auto copy = copies.find(corners[k]); copy != copies.end())
+        data.element_nodes[at(closed.element_offsets[at(e)]) + k] = copy->second;
+  }
+  return data;
+}
+
 /// The error with which make_mesh() refuses the data. Throws if it accepts them.
 inline MeshError refusal(const MeshData& data) {
   try {

@@ -275,6 +275,8 @@ void print_commands(const RunReport& run) {
     for (const PeriodicPairs& pairs : c.result.boundary.periodic)
       if (!pairs.corners.empty() && !pairs.halo)
         std::cout << ", " << pairs.corners.size() << " corners of theirs slide";
+    if (c.result.prescribed_inside > 0)
+      std::cout << ", " << c.result.prescribed_inside << " nodes inside prescribed";
     if (c.result.kept_outside > 0)
       std::cout << ", " << c.result.kept_outside << " interior nodes kept outside";
     if (c.result.stuck_nodes > 0)
@@ -417,7 +419,7 @@ std::string hint_beyond_gap(const RunReport& run, const SmoothResult& result) {
 void print_incomplete(const RunReport& run) {
   const SmoothResult& result = least_complete(run);
   const char* nothing = "; nothing was written (--accept-partial writes ";
-  if (result.contact && result.fraction_reached == 0 && !run.written) {
+  if ((result.contact || result.held_inversion) && result.fraction_reached == 0 && !run.written) {
     std::cerr << "winslow: " << printable(why_incomplete(result)) << nothing
               << "a mesh from before that)\n";
     return;
@@ -445,6 +447,9 @@ void print_verdict(const EditJob& job, const std::vector<ZoneRun>& zones, const 
     std::cerr << "winslow: the result has " << inverted << " inverted element"
               << (inverted == 1 ? "" : "s")
               << (run.written ? "" : "; nothing was written (--allow-inverted writes it)") << '\n';
+    for (const CommandRecord& command : run.commands)
+      if (command.result.held_inversion)
+        std::cerr << "winslow: " << describe(*command.result.held_inversion) << '\n';
     if (job.files.quiet) return;
     for (const ZoneRun& zone : zones) {
       if (zone.quality.inverted > 0) print_zone_heading(std::cerr, zone.name());

@@ -74,7 +74,7 @@ std::string own_nodes(const AnyCommand&) {
 }
 std::string own_nodes(const EditVcvCommand&) { return "edits VCVs of nodes"; }
 std::string own_nodes(const DeformCommand& deform) {
-  return std::get_if<DisplacementTable>(&deform.shape) ? "displaces single nodes" : "";
+  return std::get_if<SineDeformation>(&deform.shape) ? "" : "displaces single nodes";
 }
 std::string own_nodes(const LayersCommand& command) {
   return command.layers.overrides.empty() ? "" : "says what columns of single nodes are like";

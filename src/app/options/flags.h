@@ -102,7 +102,7 @@ void add_min_quality_flag(CLI::App& app, QualityFloor& floor);
 /// Declares --direct.
 void add_direct_flag(CLI::App& app, MotionOptions& options);
 
-/// Declares --marker, which may be given several times, and must be given once.
+/// Declares --marker, which may be given several times.
 CLI::Option* add_marker_flag(CLI::App& app, std::vector<std::string>& markers);
 
 /// Declares --body, given once for each of the bodies that move together. Throws UsageError during

@@ -66,6 +66,13 @@ json describe_contact(const std::optional<Contact>& contact, int dimension) {
   return report;
 }
 
+json describe_inversion(const std::optional<HeldInversion>& inversion) {
+  if (!inversion) return {};
+  return {{"element", inversion->element},
+          {"fraction", inversion->fraction},
+          {"at_end", inversion->at_end}};
+}
+
 json describe_gap(const std::optional<Gap>& gap, int dimension) {
   if (!gap) return {};
   json report = describe_edges(gap->edges, dimension);
@@ -139,8 +146,10 @@ json describe_result(const CommandRecord& record) {
                  {"limited_by", r.limited_by.empty() ? json() : json(r.limited_by)},
                  {"contact", describe_contact(r.contact, record.dimension)},
                  {"gap", describe_gap(r.gap, record.dimension)},
+                 {"held_inversion", describe_inversion(r.held_inversion)},
                  {"stretched_elements", r.stretched ? json(*r.stretched) : json()},
                  {"kept_outside", r.kept_outside},
+                 {"prescribed_inside", r.prescribed_inside},
                  {"stuck_nodes", r.stuck_nodes},
                  {"held_nodes", r.boundary.held},
                  {"sliding", describe_sliding(r.boundary.sliding)},

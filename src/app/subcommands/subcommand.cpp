@@ -4,7 +4,7 @@
 #include "app/options/flags.h"
 #include "core/command/option_tables.h"
 #include "core/error.h"
-#include "core/motion/motion.h"
+#include "core/motion/node_table.h"
 #include "io/recipe/recipe.h"
 #include "io/tables/table_files.h"
 
@@ -100,21 +100,30 @@ class MoveSubcommand : public EditSubcommand<MoveCommand> {
 class DeformSubcommand : public EditSubcommand<DeformCommand> {
  public:
   explicit DeformSubcommand(CLI::App& program) : EditSubcommand(program) {
-    add_marker_flag(app(), command_.markers);
+    add_marker_flag(app(), command_.markers)
+        ->required(false)
+        ->description(
+            "Marker that moves; several move together. With a file of single nodes: whose "
+            "nodes, besides those inside the mesh, may be in it; not given: all");
     add_shape_flags();
     add_table_flags("Motion");
     add_common_flags();
   }
 
   ExitCode run() override {
-    const bool sine = sine_flag_->count() > 0;
-    if (sine == (table_flag_->count() > 0)) {
-      throw UsageError("give either --sine AMPLITUDE WAVES or --displacements FILE");
+    const bool sine = sine_flag_->count() > 0, ways = ways_flag_->count() > 0;
+    if (sine + ways + (positions_flag_->count() > 0) != 1) {
+      throw UsageError(
+          "give either --sine AMPLITUDE WAVES, --displacements FILE or --positions FILE");
     }
     if (sine) {
+      if (command_.markers.empty())
+        throw UsageError("--sine changes the shape of a body: give its marker with --marker NAME");
       command_.shape = sine_;
-    } else {
+    } else if (ways) {
       command_.shape = io::read_displacements(table_);
+    } else {
+      command_.shape = io::read_positions(table_);
     }
     return EditSubcommand::run();
   }
@@ -132,10 +141,14 @@ class DeformSubcommand : public EditSubcommand<DeformCommand> {
                          "Add a sine wave along the body: amplitude, number of periods")
                      ->type_name("AMPLITUDE WAVES")
                      ->group("Shape");
-    table_flag_ = group.value("--displacements", table_, "FILE.csv",
-                              "CSV of node,dx,dy (0-based node) or x,y,dx,dy; "
-                              "of volume meshes node,dx,dy,dz or x,y,z,dx,dy,dz, "
-                              "the names in the first line");
+    ways_flag_ = group.value("--displacements", table_, "FILE.csv",
+                             "How far single nodes move, on the boundary or inside: CSV of "
+                             "node,dx,dy (0-based node) or x,y,dx,dy; "
+                             "of volume meshes node,dx,dy,dz or x,y,z,dx,dy,dz, "
+                             "the names in the first line");
+    positions_flag_ = group.value("--positions", table_, "FILE.csv",
+                                  "Where single nodes are afterwards: CSV of node,x,y (0-based "
+                                  "node), of volume meshes node,x,y,z");
     const OptionTable options = option_table(sine_);
     add_option_flags(app(), options, "Shape");
     for (const Option& option : options) {
@@ -147,7 +160,8 @@ class DeformSubcommand : public EditSubcommand<DeformCommand> {
   SineDeformation sine_;
   std::string table_;
   CLI::Option* sine_flag_ = nullptr;
-  CLI::Option* table_flag_ = nullptr;
+  CLI::Option* ways_flag_ = nullptr;
+  CLI::Option* positions_flag_ = nullptr;
 };
 
 class LayersSubcommand : public EditSubcommand<LayersCommand> {

@@ -71,13 +71,30 @@ std::string describe_one(const MoveCommand& command) {
   return text;
 }
 
+// Nodes inside the mesh, which a table may have as well, belong to no marker.
+
+std::string describe_shape(const SineDeformation& sine, const std::string& markers) {
+  return "Deform " + markers + ": sine, amplitude " + length(sine.amplitude) + ", " +
+         number_text(sine.waves) + " waves";
+}
+
+std::string describe_shape(const DisplacementTable& table, const std::string& markers) {
+  const bool places = std::ranges::any_of(
+      table.entries, [](const DisplacementEntry& entry) { return !entry.node; });
+  return "Displace " + std::string(places ? "what lies in " : "") +
+         std::to_string(table.entries.size()) + (places ? " places" : " nodes") +
+         (markers.empty() ? "" : " of " + markers);
+}
+
+std::string describe_shape(const PositionTable& table, const std::string& markers) {
+  return "Put " + std::to_string(table.entries.size()) + " nodes" +
+         (markers.empty() ? "" : " of " + markers) + " to given positions";
+}
+
 std::string describe_one(const DeformCommand& command) {
-  if (const auto* sine = std::get_if<SineDeformation>(&command.shape)) {
-    return "Deform " + list(command.markers) + ": sine, amplitude " + length(sine->amplitude) +
-           ", " + number_text(sine->waves) + " waves";
-  }
-  const auto& table = std::get<DisplacementTable>(command.shape);
-  return "Displace " + std::to_string(table.entries.size()) + " nodes of " + list(command.markers);
+  const std::string markers = list(command.markers);
+  return std::visit([&](const auto& shape) { return describe_shape(shape, markers); },
+                    command.shape);
 }
 
 std::string describe_one(const ScrambleCommand& command) {
@@ -319,10 +336,12 @@ void put_in_frame(MoveCommand& command, const LocalFrame& frame) {
 }
 
 void put_in_frame(DeformCommand& command, const LocalFrame& frame) {
-  auto* table = std::get_if<DisplacementTable>(&command.shape);
-  if (table == nullptr) return;
-  for (DisplacementEntry& entry : table->entries)
-    if (!entry.node) entry.position -= frame.origin();
+  if (auto* table = std::get_if<DisplacementTable>(&command.shape)) {
+    for (DisplacementEntry& entry : table->entries)
+      if (!entry.node) entry.position -= frame.origin();
+  }
+  if (auto* table = std::get_if<PositionTable>(&command.shape))
+    for (PositionEntry& entry : table->entries) entry.position -= frame.origin();
 }
 
 void put_in_frame(LayersCommand& command, const LocalFrame& frame) {
@@ -350,8 +369,11 @@ void put_in_mesh(SmoothResult& result, const LocalFrame& frame) {
 void check_places(const Command& command, const MeshState& state) {
   const auto* deform = std::get_if<DeformCommand>(&command);
   if (deform == nullptr) return;
-  if (const auto* table = std::get_if<DisplacementTable>(&deform->shape))
-    make_motion(*state.mesh.topology, state.mesh.coordinates, deform->markers, *table);
+  std::visit(
+      [&](const auto& shape) {
+        make_motion(*state.mesh.topology, state.mesh.coordinates, deform->markers, shape);
+      },
+      deform->shape);
 }
 
 /// Converts intermediate meshes for another monitor.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/mesh/mesh.h"
-#include "core/motion/motion.h"
+#include "core/motion/node_table.h"
 #include "core/strategy/layering.h"
 #include "core/strategy/mesh_state.h"
 #include "core/strategy/run.h"
@@ -48,14 +48,15 @@ struct MoveCommand {
   SmoothOptions smooth;
 };
 
-/// Changes the shape of bodies, then smooths.
+/// Changes the shape of bodies, or prescribes single nodes on the boundary and inside, then
+/// smooths. Tables of nodes need no markers (node_table.h).
 struct DeformCommand {
   static constexpr std::string_view name = "deform";
   static constexpr std::string_view summary = "Change the shape of bodies, then smooth";
   static constexpr bool beyond_table = true, serves_surfaces = false, serves_volumes = true;
 
   std::vector<std::string> markers;
-  std::variant<SineDeformation, DisplacementTable> shape;
+  std::variant<SineDeformation, DisplacementTable, PositionTable> shape;
   MotionOptions how;
   SmoothOptions smooth;
 };

@@ -30,7 +30,8 @@ class TargetBuilder {
   /// Whether any of the nodes can move.
   bool movable(std::span<const Index> nodes) const {
     return std::ranges::any_of(nodes, [&](Index node) {
-      return !topology_.on_boundary(node) || (classes_ && classes_->moves(node));
+      if (topology_.on_boundary(node)) return classes_ && classes_->moves(node);
+      return !classes_ || (*classes_)[node] != NodeClass::prescribed;
     });
   }
   bool keeps() const { return blend_.keep > 0; }

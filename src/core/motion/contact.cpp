@@ -7,6 +7,7 @@
 
 #include "core/mesh/mesh.h"
 #include "core/motion/outline.h"
+#include "core/motion/sheets.h"
 
 namespace winslow {
 
@@ -350,9 +351,7 @@ class ContactSearch {
     return contact;
   }
 
-  std::string name(Index marker) const {
-    return marker < 0 ? "" : topology_.markers()[static_cast<std::size_t>(marker)].name;
-  }
+  std::string name(Index marker) const { return Outline<D>::marker_name(topology_, marker); }
 
   const Topology& topology_;
   const Coordinates& rest_;
@@ -376,15 +375,24 @@ std::string number(const char* format, double value) {
   return text.data();
 }
 
+/// "the two sides of sail would pass through each other at (0, 0.5)".
+std::string describe_passage(const EdgePair& edges) {
+  const std::string place = " at (" + number("%.4g", edges.place.x()) + ", " +
+                            number("%.4g", edges.place.y()) +
+                            (edges.in_space ? ", " + number("%.4g", edges.place.z()) : "") + ")";
+  if (edges.moving == edges.other)
+    return "the two sides of " + named(edges.moving) + " would pass through each other" + place;
+  return named(edges.moving) + " would pass through " + named(edges.other) + ", on which it lies," +
+         place;
+}
+
 /// The smallest distance between facets that move and facets that stay.
 template <int D>
 std::optional<Gap> gap_of(const Topology& topology, const Coordinates& x,
                           std::span<const Index> moving, std::span<const Index> yielding) {
   const Outline<D> outline(topology, moving, yielding);
   const BoxTree<D> fixed = tree_of(outline.fixed.facets, x);
-  const auto name = [&](Index m) {
-    return m < 0 ? "" : topology.markers()[static_cast<std::size_t>(m)].name;
-  };
+  const auto name = [&](Index m) { return Outline<D>::marker_name(topology, m); };
   std::optional<Gap> gap;
   Box<D> all = Box<D>::empty();
   for (const auto* part : {&outline.moving, &outline.fixed})
@@ -420,7 +428,10 @@ std::optional<Gap> gap_of(const Topology& topology, const Coordinates& x,
 std::optional<Contact> find_contact(const Topology& topology, const Coordinates& rest,
                                     const Motion& motion, std::span<const Index> yielding) {
   return in_dimension(topology, "motions", [&](auto dim) {
-    return ContactSearch<dim()>(topology, rest, motion, yielding).first();
+    auto contact = ContactSearch<dim()>(topology, rest, motion, yielding).first();
+    auto passage = find_passage<dim()>(topology, rest, motion, yielding);
+    const bool passes_first = passage && (!contact || passage->fraction <= contact->fraction);
+    return passes_first ? passage : contact;
   });
 }
 
@@ -446,6 +457,7 @@ void put_in_mesh(EdgePair& edges, const LocalFrame& frame) {
 }
 
 std::string describe_touch(const EdgePair& edges) {
+  if (edges.one_sheet) return describe_passage(edges);
   return named(edges.moving) + " would touch " +
          (edges.other == edges.moving ? "itself" : named(edges.other));
 }

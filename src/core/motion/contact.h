@@ -12,8 +12,13 @@ namespace winslow {
 /// Two boundary edges of a plane mesh, or two boundary faces of a volume mesh, identified by their
 /// markers.
 struct EdgePair {
-  std::string moving, other;  ///< marker names; empty: no marker
-  Vec3 place{0, 0, 0};        ///< position at which they meet or are nearest, in units of the mesh
+  /// Marker names; empty: no marker; "what is prescribed inside": around what a motion moves as a
+  /// whole inside the mesh.
+  std::string moving, other;
+  Vec3 place{0, 0, 0};  ///< position at which they meet or are nearest, in units of the mesh
+  /// The two sides of a sheet without thickness, which lie on one another before the motion.
+  bool one_sheet = false;
+  bool in_space = false;  ///< whether the place has a third component
 
   bool operator==(const EdgePair&) const = default;
 };
@@ -35,7 +40,9 @@ struct Contact {
 /// interval of the motion is free if the swept boxes do not overlap. Other intervals are halved
 /// down to 1/1024 of the motion, and the edges are then tested for intersection, so a shorter
 /// contact may be missed. None if edges or faces cross before the motion begins; pairs that touch
-/// then, as in a crack, are ignored. rest: all nodes before the motion. If several bodies move,
+/// then are ignored. The two sides of a crack or of a baffle without thickness, whose nodes lie in
+/// the same places, may part but not pass through each other (sheets.h). rest: all nodes before
+/// the motion. If several bodies move,
 /// each is also tested against the other moving bodies. yielding: boundary nodes that give way;
 /// their edges and faces are ignored.
 std::optional<Contact> find_contact(const Topology& topology, const Coordinates& rest,

@@ -5,7 +5,6 @@
 
 #include "core/error.h"
 #include "core/mesh/mesh.h"
-#include "core/search/box_tree.h"
 
 namespace winslow {
 
@@ -233,26 +232,27 @@ OptionTable option_table(SineDeformation& sine) {
 
 namespace {
 
-/// Constant displacements, applied in proportion to the fraction.
+/// Moves nodes in straight lines, in proportion to the fraction.
 template <int D>
-class Displaced final : public Motion {
+class Straight final : public Motion {
  public:
-  Displaced(std::vector<Index> nodes, std::vector<Vec<D>> displacements)
-      : nodes_(std::move(nodes)), displacements_(std::move(displacements)) {}
+  Straight(std::vector<Index> nodes, std::vector<Vec<D>> ways, std::vector<Vec<D>> ends)
+      : nodes_(std::move(nodes)), ways_(std::move(ways)), ends_(std::move(ends)) {}
   std::span<const Index> nodes() const override { return nodes_; }
   bool moves() const override {
-    return !std::ranges::all_of(displacements_, [](const auto& by) { return by.isZero(0); });
+    return !std::ranges::all_of(ways_, [](const auto& by) { return by.isZero(0); });
   }
   void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
+    const bool at_end = fraction == 1 && !ends_.empty();
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      const Vec<D> place = rest.get<D>(nodes_[i]) + fraction * displacements_[i];
+      const Vec<D> place = at_end ? ends_[i] : rest.get<D>(nodes_[i]) + fraction * ways_[i];
       out.set<D>(nodes_[i], place);
     }
   }
 
  private:
   std::vector<Index> nodes_;
-  std::vector<Vec<D>> displacements_;
+  std::vector<Vec<D>> ways_, ends_;
 };
 
 /// 0 at t <= 0, 1 at t >= 1, with continuous slope.
@@ -319,95 +319,20 @@ std::unique_ptr<Motion> sine_motion(std::vector<Index> nodes, const Coordinates&
         options.amplitude * fade_factor(options, s) * std::sin(2 * pi * options.waves * s);
     displacements.emplace_back(height * direction);
   }
-  return std::make_unique<Displaced<D>>(std::move(nodes), std::move(displacements));
-}
-
-/// Matches entries given by position to the nearest nodes within a tolerance.
-template <int D>
-class NodeFinder {
- public:
-  NodeFinder(const Coordinates& x, const std::vector<Index>& nodes) : nodes_(nodes) {
-    std::vector<Vec<D>> places;
-    places.reserve(nodes.size());
-    Box<D> box = Box<D>::empty();
-    for (const Index node : nodes) {
-      places.push_back(x.get<D>(node));
-      box.add(places.back());
-    }
-    tree_ = BoxTree<D>(places);
-    // Files written with six or seven digits must match.
-    constexpr double relative = 1e-6;
-    tolerance_ = relative * box.size().maxCoeff();
-  }
-
-  std::optional<Index> find(const Vec<D>& p) const {
-    const auto found = tree_.nearest(p, tolerance_);
-    if (!found) return std::nullopt;
-    return nodes_[static_cast<std::size_t>(found->item)];
-  }
-
- private:
-  const std::vector<Index>& nodes_;
-  BoxTree<D> tree_;  // of nodes_
-  double tolerance_ = 0;
-};
-
-std::string place_of_entry(const DisplacementEntry& entry) {
-  const GivenVector& p = entry.position;
-  std::string text = "position (" + std::to_string(p.x()) + ", " + std::to_string(p.y());
-  if (p.numbers(2) == 3) text += ", " + std::to_string(p.z());
-  return text + ")";
-}
-
-[[noreturn]] void refuse_entry(const DisplacementTable& table, std::size_t k,
-                               const std::string& why) {
-  const DisplacementEntry& entry = table.entries[k];
-  const std::string file = table.source.empty() ? "displacements" : table.source;
-  const std::string line = entry.line > 0 ? ":" + std::to_string(entry.line) : "";
-  const std::string who =
-      entry.node ? "node " + std::to_string(*entry.node) : place_of_entry(entry);
-  throw UsageError(file + line + ": " + who + " " + why);
-}
-
-/// A position or displacement of an entry. Throws UsageError if a component is missing.
-template <int D>
-Vec<D> components(const DisplacementTable& table, std::size_t k, const GivenVector& given,
-                  const char* missing) {
-  if (given.numbers(D) < D)
-    refuse_entry(table, k,
-                 std::string("has no ") + missing +
-                     ": found a table for plane meshes, expected node,dx,dy,dz or x,y,z,dx,dy,dz");
-  return given.head<D>();
-}
-
-template <int D>
-std::unique_ptr<Motion> table_motion(std::vector<Index> nodes, const Coordinates& rest,
-                                     const DisplacementTable& table) {
-  const NodeFinder<D> finder(rest, nodes);
-  std::vector<Vec<D>> displacements(nodes.size(), Vec<D>::Zero());
-  std::vector<unsigned char> given(nodes.size(), 0);
-  for (std::size_t k = 0; k < table.entries.size(); ++k) {
-    const DisplacementEntry& entry = table.entries[k];
-    const Vec<D> displacement = components<D>(table, k, entry.displacement, "dz");
-    if (!displacement.allFinite()) {
-      refuse_entry(table, k, "has a displacement that is not finite");
-    }
-    std::optional<Index> node = entry.node;
-    if (!node) node = finder.find(components<D>(table, k, entry.position, "z"));
-    if (!node) refuse_entry(table, k, "matches no node of the chosen markers");
-    const auto it = std::lower_bound(nodes.begin(), nodes.end(), *node);
-    if (it == nodes.end() || *it != *node) {
-      refuse_entry(table, k, "does not belong to the chosen markers");
-    }
-    const auto i = static_cast<std::size_t>(it - nodes.begin());
-    if (given[i]) refuse_entry(table, k, "is given twice");
-    given[i] = 1;
-    displacements[i] = displacement;
-  }
-  return std::make_unique<Displaced<D>>(std::move(nodes), std::move(displacements));
+  return straight_motion<D>(std::move(nodes), std::move(displacements));
 }
 
 }  // namespace
+
+template <int D>
+std::unique_ptr<Motion> straight_motion(std::vector<Index> nodes, std::vector<Vec<D>> ways,
+                                        std::vector<Vec<D>> ends) {
+  return std::make_unique<Straight<D>>(std::move(nodes), std::move(ways), std::move(ends));
+}
+template std::unique_ptr<Motion> straight_motion<2>(std::vector<Index>, std::vector<Vec2>,
+                                                    std::vector<Vec2>);
+template std::unique_ptr<Motion> straight_motion<3>(std::vector<Index>, std::vector<Vec3>,
+                                                    std::vector<Vec3>);
 
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
@@ -420,16 +345,6 @@ std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates&
     if (!(options.fade_length > 0 && options.fade_length <= 0.5))
       throw UsageError("the fade length is not in (0, 0.5]");
     return sine_motion<dim()>(moving_nodes(topology, markers), rest, options);
-  });
-}
-
-std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
-                                    const std::vector<std::string>& markers,
-                                    const DisplacementTable& table) {
-  return in_dimension(topology, "displacements", [&](auto dim) {
-    std::vector<Index> nodes = moving_nodes(topology, markers);
-    if (table.entries.empty()) throw UsageError("the displacement table is empty");
-    return table_motion<dim()>(std::move(nodes), rest, table);
   });
 }
 

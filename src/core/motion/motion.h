@@ -7,7 +7,7 @@
 
 namespace winslow {
 
-/// A prescribed motion of boundary nodes.
+/// A prescribed motion of nodes, on the boundary or inside.
 class Motion {
  public:
   virtual ~Motion() = default;
@@ -52,24 +52,9 @@ struct SineDeformation {
   bool operator==(const SineDeformation&) const = default;
 };
 
-/// One row of a displacement file: a node, given by its index (0-based, order of the file) or by
-/// its position, and its displacement. A plane mesh ignores third components.
-struct DisplacementEntry {
-  std::optional<Index> node;
-  GivenVector position;  ///< used if node is empty
-  GivenVector displacement;
-  int line = 0;  ///< of the source file, for messages; 0: unknown
-};
-
-/// Displacements of single nodes. Nodes of the markers without an entry stay.
-struct DisplacementTable {
-  std::vector<DisplacementEntry> entries;
-  std::string source;  ///< name of the source file, for messages
-};
-
 /// Make the motions of plane and volume meshes. Each throws UsageError for no marker, an unknown
-/// marker, an entry that matches no node of the markers, two entries for one node, an amplitude
-/// that is not finite, a wrong number of components, ...
+/// marker, an amplitude that is not finite, a wrong number of components, ... Tables of single
+/// nodes: see node_table.h.
 ///
 /// A rigid motion without a pivot rotates about body_centre() of its markers.
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
@@ -78,9 +63,11 @@ std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates&
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const SineDeformation& options);
-std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
-                                    const std::vector<std::string>& markers,
-                                    const DisplacementTable& table);
+/// Moves nodes in straight lines. nodes: ascending. ways: how far each of them moves. ends: where
+/// each is after the whole motion, to the bit; empty: where its way ends.
+template <int D>
+std::unique_ptr<Motion> straight_motion(std::vector<Index> nodes, std::vector<Vec<D>> ways,
+                                        std::vector<Vec<D>> ends = {});
 
 /// Makes the simultaneous motion of bodies: at each fraction every body has gone that far along its
 /// own arc. Throws UsageError as above, for no body, for a marker of two bodies, and, naming the

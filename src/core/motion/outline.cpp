@@ -203,6 +203,37 @@ std::vector<FacetNodes<D>> facets_of(const Face& face) {
   }
 }
 
+/// The faces around what moves as a whole inside a mesh. No face: no node inside moves.
+class MovingInside {
+ public:
+  MovingInside(const Topology& topology, const std::vector<unsigned char>& moves)
+      : topology_(topology), moves_(moves) {
+    for (const Index node : topology.interior_nodes()) any_ = any_ || moves[at(node)] != 0;
+    if (!any_) return;
+    for (Index e = 0; e < topology.element_count(); ++e)
+      whole_.push_back(all_move(topology.element(e)));
+  }
+
+  /// Whether a face inside the mesh is one of them.
+  bool outlines(const Topology::SharedFace& face) const {
+    return any_ && all_move(face.nodes) &&
+           !(whole_[at(face.elements[0])] && whole_[at(face.elements[1])]) &&
+           std::ranges::any_of(face.nodes,
+                               [&](Index node) { return !topology_.on_boundary(node); });
+  }
+
+ private:
+  template <class Nodes>
+  bool all_move(const Nodes& nodes) const {
+    return std::ranges::all_of(nodes, [&](Index node) { return moves_[at(node)] != 0; });
+  }
+
+  const Topology& topology_;
+  const std::vector<unsigned char>& moves_;
+  bool any_ = false;
+  std::vector<bool> whole_;  // #elements: all nodes move
+};
+
 }  // namespace
 
 template <int D>
@@ -213,17 +244,19 @@ Outline<D>::Outline(const Topology& topology, std::span<const Index> moving_node
   std::vector<unsigned char> moves(static_cast<std::size_t>(topology.node_count()), 0);
   for (const Index node : moving_nodes) moves[static_cast<std::size_t>(node)] = 1;
   const Index faces = topology.face_count();
-  constexpr Index inside = -2;
+  constexpr Index inside = -3;
+  const MovingInside moving_inside(topology, moves);
   std::vector<Index> marker(static_cast<std::size_t>(faces), inside);
   for (Index f = 0; f < faces; ++f)
-    if (topology.face(f).elements[1] < 0) marker[static_cast<std::size_t>(f)] = -1;
+    if (topology.face(f).elements[1] < 0) marker[static_cast<std::size_t>(f)] = no_marker;
   for (std::size_t m = 0; m < topology.markers().size(); ++m) {
     for (const Face& face : topology.markers()[m].faces)
       if (const auto f = topology.find_face(face))
         marker[static_cast<std::size_t>(*f)] = static_cast<Index>(m);
   }
   for (Index f = 0; f < faces; ++f) {
-    const Index own = marker[static_cast<std::size_t>(f)];
+    Index own = marker[static_cast<std::size_t>(f)];
+    if (own == inside && moving_inside.outlines(topology.face(f))) own = prescribed_inside;
     if (own == inside) continue;
     const Face nodes_of_face = topology.face(f).nodes;
     if (std::ranges::any_of(nodes_of_face,
@@ -240,6 +273,12 @@ void Outline<D>::add(const FacetNodes<D>& nodes, Index marker,
       nodes, [&](Index node) { return moves[static_cast<std::size_t>(node)] != 0; });
   if (count > 0 && count < D) joints.push_back(moving.facets.size());
   (count > 0 ? moving : fixed).add(nodes, marker);
+}
+
+template <int D>
+std::string Outline<D>::marker_name(const Topology& topology, Index marker) {
+  if (marker == prescribed_inside) return "what is prescribed inside";
+  return marker < 0 ? "" : topology.markers()[static_cast<std::size_t>(marker)].name;
 }
 
 template struct Outline<2>;

@@ -53,13 +53,17 @@ Facet<static_cast<int>(N)> facet(const std::array<Index, N>& nodes, const Coordi
   return out;
 }
 
-/// The facets of a mesh that may meet when some nodes move: those of the boundary and those of
-/// markers inside. Quadrilaterals of volume meshes are two triangles.
+/// The facets of a mesh that may meet when some nodes move: those of the boundary, those of markers
+/// inside, and those around what moves as a whole inside (the solid of a coupled mesh): all their
+/// nodes move, and they do not lie between two elements all of whose nodes move. Quadrilaterals of
+/// volume meshes are two triangles.
 template <int D>
 struct Outline {
+  static constexpr Index no_marker = -1, prescribed_inside = -2;
+
   struct Part {
     std::vector<FacetNodes<D>> facets;
-    std::vector<Index> markers;  ///< of each facet; -1: none
+    std::vector<Index> markers;  ///< of each facet; no_marker, prescribed_inside
     void add(const FacetNodes<D>& facet, Index marker) {
       facets.push_back(facet);
       markers.push_back(marker);
@@ -73,6 +77,9 @@ struct Outline {
   /// left out.
   Outline(const Topology& topology, std::span<const Index> moving_nodes,
           std::span<const Index> yielding = {});
+
+  /// The name of a marker of `topology` for messages; "" for no_marker.
+  static std::string marker_name(const Topology& topology, Index marker);
 
  private:
   void add(const FacetNodes<D>& nodes, Index marker, const std::vector<unsigned char>& moves);

@@ -268,6 +268,12 @@ Validity check_plane(const Topology& topology, const Coordinates& coordinates, i
 
 }  // namespace
 
+bool is_inverted(const Topology& topology, const Coordinates& coordinates, Index e) {
+  if (topology.kind() == MeshKind::volume)
+    return VolumeElement(coordinates, topology.element_type(e), topology.element(e)).inverted();
+  return corners_of(topology, coordinates, {}, e).inverted();
+}
+
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads,
                         std::span<const Vec3> normals) {
   coordinates.require_dimension(topology.space_dimension());

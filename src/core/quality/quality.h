@@ -102,6 +102,9 @@ Index worst_element(const Mesh& mesh, Metric metric);
 double element_value(const Mesh& mesh, Index element, Metric metric,
                      std::span<const Vec3> normals = {});
 
+/// Whether an element of a plane or volume mesh is inverted.
+bool is_inverted(const Topology& topology, const Coordinates& coordinates, Index element);
+
 /// Counts inverted elements; much faster than a report. threads: 0 for all cores; the result does
 /// not depend on it. normals: of a surface mesh, as in QualityOptions.
 Validity check_validity(const Topology& topology, const Coordinates& coordinates, int threads = 0,

@@ -335,6 +335,7 @@ SmoothResult move_with_layers(MeshState& state, const Motion& motion, const Moti
   const std::vector<Index> kept =
       nodes_kept_outside(smooth.keep_outside, *mesh.topology, mesh.coordinates, motion.nodes());
   require_moved_layers_inside(smooth.keep_outside, *state.layers, mesh, motion.nodes());
+  require_no_moved_layers(*state.layers, *mesh.topology, motion.nodes());
   RunOptions keeping = run;
   keeping.kept = &kept;
   RunSequence runs(keeping, result);
@@ -439,6 +440,16 @@ void require_moved_layers_inside(const KeepOutside& keep, const LayerStack& stac
   for (const LayerColumn& column : stack.columns)
     if (std::ranges::binary_search(moved, column.wall_node))
       require_column_inside(region, column, mesh, {});
+}
+
+void require_no_moved_layers(const LayerStack& stack, const Topology& topology,
+                             std::span<const Index> moving) {
+  for (const LayerColumn& column : stack.columns)
+    for (const Index node : column.nodes)
+      if (!topology.on_boundary(node) && std::ranges::binary_search(moving, node))
+        throw UsageError("node " + std::to_string(node) +
+                         " is prescribed and belongs to layers whose heights are to be held: "
+                         "expected one of the two");
 }
 
 void restore_kept_columns(LayerStack& stack, const LayerStack& before,

@@ -65,6 +65,11 @@ void require_layers_inside(const KeepOutside& keep, const LayerStack& stack, con
 void require_moved_layers_inside(const KeepOutside& keep, const LayerStack& stack, const Mesh& mesh,
                                  std::span<const Index> moving);
 
+/// Throws UsageError naming the first node inside the mesh that a motion takes and that belongs to
+/// layers: its height cannot be held.
+void require_no_moved_layers(const LayerStack& stack, const Topology& topology,
+                             std::span<const Index> moving);
+
 /// Restores columns with a kept node to those in `before`: no run can reach other heights there.
 void restore_kept_columns(LayerStack& stack, const LayerStack& before, std::span<const Index> kept);
 

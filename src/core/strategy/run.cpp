@@ -18,6 +18,7 @@ std::string held_footholds(const SmoothResult& result, const EdgePair* contact) 
 }  // namespace
 
 std::string why_incomplete(const SmoothResult& result) {
+  if (result.held_inversion) return describe(*result.held_inversion);
   if (result.contact)
     return describe(*result.contact) + held_footholds(result, &result.contact->edges);
   if (!result.limited_by.empty()) return result.limited_by + " beyond";

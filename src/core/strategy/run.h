@@ -2,6 +2,7 @@
 
 #include "core/mesh/topology.h"
 #include "core/motion/contact.h"
+#include "core/motion/held_elements.h"
 #include "core/outer/outer_solver.h"
 #include "core/quality/mesh_change.h"
 #include "core/strategy/slide_options.h"
@@ -122,7 +123,9 @@ struct RunOutcome {
   /// The contact that blocks a motion along a path, detected before the motion began. If RunOptions
   /// has a start, it concerns the motion from there.
   std::optional<Contact> contact;
-  std::optional<Gap> gap;     ///< at which a motion is blocked without contact
+  std::optional<Gap> gap;  ///< at which a motion is blocked without contact
+  /// An element without free nodes that the motion inverts, and that therefore blocks it.
+  std::optional<HeldInversion> held_inversion;
   int increments = 1;         ///< number of steps of the boundary motion
   Index stuck_nodes = 0;      ///< OuterSolver::stuck_nodes()
   std::string linear_solver;  ///< description of the linear solver, e.g. "CHOLMOD ..."
@@ -135,8 +138,9 @@ struct SmoothResult : RunOutcome {
   int linear_solves = 0;
   /// Fraction of the elements (0 to 1) that `auto` targets keep stretched; none for other targets.
   std::optional<double> stretched;
-  MovingBoundary boundary;  ///< how nodes of the boundary slid or were paired
-  Index kept_outside = 0;   ///< interior nodes that SmoothOptions::keep_outside fixed
+  MovingBoundary boundary;      ///< how nodes of the boundary slid or were paired
+  Index kept_outside = 0;       ///< interior nodes that SmoothOptions::keep_outside fixed
+  Index prescribed_inside = 0;  ///< interior nodes that the motion takes
   std::vector<IterationRecord> history;
 };
 

@@ -14,6 +14,7 @@ void take_outcome(SmoothResult& all, const SmoothResult& run) {
   all.out_of_iterations = run.out_of_iterations;
   all.linear_solver = run.linear_solver;
   all.kept_outside = run.kept_outside;
+  all.prescribed_inside = run.prescribed_inside;
   all.boundary = run.boundary;
 }
 
@@ -93,6 +94,7 @@ void RunSequence::move(const MeshState& state, const Motion& motion, const Motio
   result_.limited_by = result.limited_by;
   result_.contact = result.contact;
   result_.gap = result.gap;
+  result_.held_inversion = result.held_inversion;
   result_.increments = result.increments;
   append(result_, std::move(result));
 }

@@ -185,17 +185,60 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
   result.inverted = 0;
 }
 
-/// True if a contact blocks a motion that must be complete. The search is faster than making
-/// targets and matrices, so it comes first, and the motion is not begun.
-bool is_blocked(const MeshState& state, const Motion& motion, const NodeClasses& classes,
-                const SmoothOptions& options, const Coordinates& x, SmoothResult& result) {
-  result.contact = find_contact(*state.mesh.topology, state.mesh.coordinates, motion,
-                                yielding_nodes(result.boundary, classes));
-  if (!result.contact) return false;
+/// The result of a motion that has to be complete and cannot be: it is not begun.
+SmoothResult not_begun(const MeshState& state, const SmoothOptions& options, const Coordinates& x,
+                       SmoothResult result) {
   result.fraction_reached = 0;
   result.converged = false;
   result.inverted = check_validity(*state.mesh.topology, x, options.threads).inverted;
-  return true;
+  return result;
+}
+
+Index count_inside(const Topology& topology, std::span<const Index> nodes) {
+  return static_cast<Index>(
+      std::ranges::count_if(nodes, [&](Index node) { return !topology.on_boundary(node); }));
+}
+
+/// An element without free nodes blocks a motion if it is inverted before a contact.
+void take_if_first(const std::optional<HeldInversion>& inversion, SmoothResult& result) {
+  if (!inversion || (result.contact && result.contact->fraction < inversion->fraction)) return;
+  result.held_inversion = inversion;
+  result.contact.reset();
+}
+
+/// Whether a path ended before an element without free nodes is inverted: not earlier, as at a
+/// limit. Meshes with slivers, which come first, are given up.
+bool ended_by(const std::optional<HeldInversion>& inversion, const SmoothResult& result) {
+  constexpr double near = 0.75;
+  return inversion && result.fraction_reached < 1 && result.limited_by.empty() &&
+         !result.out_of_iterations && result.fraction_reached >= near * inversion->fraction;
+}
+
+/// Finds what is certain to block a motion that must be complete: a contact, or an element without
+/// free nodes. The search is faster than making targets and matrices, so it comes first, and the
+/// motion is not begun.
+bool is_blocked(const MeshState& state, const Motion& motion,
+                const std::optional<HeldInversion>& inversion, const NodeClasses& classes,
+                SmoothResult& result) {
+  result.contact = find_contact(*state.mesh.topology, state.mesh.coordinates, motion,
+                                yielding_nodes(result.boundary, classes));
+  take_if_first(inversion, result);
+  return result.contact || result.held_inversion;
+}
+
+/// Moves the boundary, and what else a motion takes, and nothing else.
+SmoothResult move_alone(const MeshState& state, const Motion& bodies, const SmoothOptions& options,
+                        Coordinates& x) {
+  SmoothResult result;
+  NodeClasses classes(state.mesh.topology);
+  classes.set_prescribed(bodies.nodes());
+  result.held_inversion =
+      find_held_inversion(classes, state.mesh.coordinates, bodies, MotionPart::end);
+  bodies.apply(state.mesh.coordinates, 1, x);
+  result.prescribed_inside = count_inside(*state.mesh.topology, bodies.nodes());
+  result.converged = true;
+  result.inverted = check_validity(*state.mesh.topology, x, options.threads).inverted;
+  return result;
 }
 
 /// The fixed point may need several attempts at a motion; the limit applies to each.
@@ -253,15 +296,10 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& asked,
 
 SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const MotionOptions& how,
                            const SmoothOptions& asked, Coordinates& x, const RunOptions& run) {
-  SmoothResult result;
   SmoothOptions options = asked;
   options.targets = options.targets.or_else(TargetBlend::keeping());
-  if (!how.smooth_after) {
-    bodies.apply(state.mesh.coordinates, 1, x);
-    result.converged = true;
-    result.inverted = check_validity(*state.mesh.topology, x, options.threads).inverted;
-    return result;
-  }
+  if (!how.smooth_after) return move_alone(state, bodies, options, x);
+  SmoothResult result;
   SolverCache own;
   SmoothingWorkspace& workspace = (run.cache ? *run.cache : own).workspace();
   CurveRows rows;
@@ -271,6 +309,11 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
   const Motion& motion = with_held_rows ? *with_held_rows : bodies;
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes,
                                    result.boundary.interfaces, x);
+  result.prescribed_inside = count_inside(*state.mesh.topology, bodies.nodes());
+  const bool along_path = how.increments == 0 && !by_fixed_point(options);
+  const auto inversion = find_held_inversion(workspace.classes(), state.mesh.coordinates, motion,
+                                             along_path ? MotionPart::way : MotionPart::end);
+  if (!along_path) result.held_inversion = inversion;
   RunRecorder recorder(run.monitor, result, budget(options));
   if (by_fixed_point(options)) {
     move_by_fixed_point(state.mesh.coordinates, motion, how.increments, options.max_iterations,
@@ -281,16 +324,17 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
   }
   const bool near_start = run.start && !how.floor.given();  // limits apply to the whole path
   const bool known = run.all_or_nothing && how.increments == 0 && !near_start;
-  if (known && is_blocked(state, bodies, workspace.classes(), options, x, result)) return result;
+  if (known && is_blocked(state, bodies, inversion, workspace.classes(), result))
+    return not_begun(state, options, x, std::move(result));
   const auto steps = make_newton_run(state, workspace, recorder);
   steps->keep_within(how.floor);
   steps->end_at_contact(run.all_or_nothing);
   if (known) steps->way_is_clear();
-  const bool along_path = how.increments == 0;
   if (!along_path || !near_start || !move_from(state, motion, *run.start, workspace, *steps, x)) {
     if (along_path) x = state.mesh.coordinates;
     steps->move(motion, state.mesh.coordinates, how.increments, x);
   }
+  if (along_path && ended_by(inversion, result)) take_if_first(inversion, result);
   if (!how.floor.given()) follow_with_vcvs(state, workspace, recorder, x);
   if (options.raise_worst) raise_worst_element(workspace, recorder, result.fraction_reached, x);
   result.stretched = stretched(workspace);

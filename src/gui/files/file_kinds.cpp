@@ -71,6 +71,12 @@ DialogKind dialog_of(FilePurpose purpose, MeshKind kind) {
       film.folders = true;
       return film;
     }
+    case FilePurpose::displacements:
+      return opening("Displacements of nodes: node,dx,dy or x,y,dx,dy, in space with z and dz",
+                     "Displace", {{"Tables", {".csv", ".txt", ".dat"}}, {"All files", {}}});
+    case FilePurpose::positions:
+      return opening("Positions of nodes: node,x,y, in space with z", "Move",
+                     {{"Tables", {".csv", ".txt", ".dat"}}, {"All files", {}}});
     case FilePurpose::reference:
     case FilePurpose::step_reference:
       return opening("A surface for nodes to slide on", "Use", mesh_kinds({}));

@@ -24,6 +24,8 @@ enum class FilePurpose {
   picture,
   recording,
   reference,
+  displacements,  ///< of single nodes
+  positions,      ///< of single nodes, after the motion
   step_reference  ///< for a step that is being edited
 };
 

@@ -247,6 +247,19 @@ std::vector<UserCommand> shape_commands() {
             {.words = "shape wave bend morph amplitude",
              .blocked = selection_in_use,
              .serves = movable_meshes}),
+      entry("displacements", "Displace nodes by a file...", {},
+            "Move the nodes that a file names, on the boundary and inside, as a structural solver "
+            "hands them over, and smooth the mesh around them.",
+            emits(action::ShowFileDialog{FilePurpose::displacements}),
+            {.words = "table csv prescribe solid coupling deform",
+             .blocked = while_busy,
+             .serves = movable_meshes}),
+      entry("positions", "Move nodes to positions of a file...", {},
+            "The same by a file that says where the nodes are afterwards.",
+            emits(action::ShowFileDialog{FilePurpose::positions}),
+            {.words = "table csv prescribe solid coupling deform",
+             .blocked = while_busy,
+             .serves = movable_meshes}),
   };
 }
 

@@ -98,6 +98,7 @@ class ShapePanel {
     ImGui::BeginDisabled(context.session.dragging());
     draw_by_hand(context, form);
     draw_sine(context, form);
+    draw_files(context);
     ImGui::EndDisabled();
   }
 
@@ -137,6 +138,21 @@ class ShapePanel {
       context.emit(action::ApplyDeformation{typed_});
       typed_.amplitude = 0;
     }
+  }
+
+  static void draw_files(const PanelContext& context) {
+    const bool free = !context.session.in_motion() && !context.session.motions().busy();
+    ui::text_dim("Single nodes, on the boundary and inside");
+    if (ui::button("shape/displacements", "Displacements from a file...",
+                   {"Move the nodes that a file names by node,dx,dy or x,y,dx,dy (in space with z "
+                    "and dz), and smooth the mesh around them. The rest of the boundary stays.",
+                    ui::ButtonStyle::normal, free, -1}))
+      context.emit(action::ShowFileDialog{FilePurpose::displacements});
+    if (ui::button("shape/positions", "Positions from a file...",
+                   {"The same by a file of node,x,y (in space with z): where the nodes are "
+                    "afterwards.",
+                    ui::ButtonStyle::normal, free, -1}))
+      context.emit(action::ShowFileDialog{FilePurpose::positions});
   }
 
   void draw_fields(const ShapeForm& form) {

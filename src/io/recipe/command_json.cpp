@@ -3,7 +3,7 @@
 #include "core/command/option_tables.h"
 #include "core/error.h"
 #include "core/layers/layer_plan.h"
-#include "core/motion/motion.h"
+#include "core/motion/node_table.h"
 #include "io/recipe/object_archive.h"
 #include "io/recipe/recipe.h"
 #include "io/tables/table_files.h"
@@ -163,17 +163,38 @@ DisplacementEntry read_entry(const json& value, const std::string& path) {
   return entry;
 }
 
-/// Reads displacements from the recipe itself, or from a file beside it.
-DisplacementTable read_table(const json& value, const std::string& path,
-                             const std::filesystem::path& folder) {
+json write_table(const PositionTable& table) {
+  json entries = json::array();
+  for (const PositionEntry& entry : table.entries) {
+    json item{{"node", entry.node}, {"position", vector_json(entry.position)}};
+    if (entry.line > 0) item["line"] = entry.line;
+    entries.push_back(std::move(item));
+  }
+  return {{"entries", std::move(entries)}, {"source", table.source}};
+}
+
+PositionEntry read_position_entry(const json& value, const std::string& path) {
+  ObjectReader reader(value, path);
+  PositionEntry entry;
+  reader.required("node", entry.node);
+  entry.position = read_vector(reader.needed("position"), reader.path_of("position"));
+  reader.field("line", entry.line);
+  reader.finish();
+  return entry;
+}
+
+/// Reads a table of single nodes from the recipe itself, or from a file beside it.
+template <class Table, class ReadEntry>
+Table read_table(const json& value, const std::string& path, const std::filesystem::path& folder,
+                 const ReadEntry& read_entry, Table (*read_file)(const std::filesystem::path&)) {
   ObjectReader reader(value, path);
   if (reader.has("file")) {
     std::string file;
     reader.required("file", file);
     reader.finish();
-    return read_displacements(folder / file);
+    return read_file(folder / file);
   }
-  DisplacementTable table;
+  Table table;
   table.entries = read_list(reader.needed("entries"), reader.path_of("entries"), read_entry);
   reader.field("source", table.source);
   reader.finish();
@@ -234,16 +255,23 @@ void read_beyond(ObjectReader& reader, MoveCommand& command, const std::filesyst
 
 void read_beyond(ObjectReader& reader, DeformCommand& command,
                  const std::filesystem::path& folder) {
-  if (reader.has("sine") == reader.has("displacements")) {
-    throw JsonValueError(reader.path(), "expected either \"sine\" or \"displacements\"");
+  const bool sine = reader.has("sine"), ways = reader.has("displacements");
+  if (sine + ways + reader.has("positions") != 1) {
+    throw JsonValueError(reader.path(),
+                         "expected either \"sine\", \"displacements\" or \"positions\"");
   }
-  if (reader.has("sine")) {
-    SineDeformation sine;
-    reader.object("sine", [&](auto& inner) { option_fields(inner, sine); });
-    command.shape = sine;
+  // A table says by itself what moves.
+  if (sine || reader.has("markers")) reader.required("markers", command.markers);
+  if (sine) {
+    reader.object("sine", [&](auto& inner) {
+      option_fields(inner, command.shape.emplace<SineDeformation>());
+    });
+  } else if (ways) {
+    command.shape = read_table(reader.needed("displacements"), reader.path_of("displacements"),
+                               folder, read_entry, read_displacements);
   } else {
-    const std::string path = reader.path_of("displacements");
-    command.shape = read_table(reader.needed("displacements"), path, folder);
+    command.shape = read_table(reader.needed("positions"), reader.path_of("positions"), folder,
+                               read_position_entry, read_positions);
   }
 }
 
@@ -264,11 +292,13 @@ void write_beyond(ObjectWriter& writer, const MoveCommand& command) {
 }
 
 void write_beyond(ObjectWriter& writer, const DeformCommand& command) {
-  if (const auto* sine = std::get_if<SineDeformation>(&command.shape)) {
+  if (!command.markers.empty()) writer.required("markers", command.markers);
+  if (const auto* sine = std::get_if<SineDeformation>(&command.shape))
     writer.object("sine", [&](auto& inner) { option_fields(inner, *sine); });
-  } else {
-    writer.field("displacements", write_table(std::get<DisplacementTable>(command.shape)));
-  }
+  if (const auto* table = std::get_if<DisplacementTable>(&command.shape))
+    writer.field("displacements", write_table(*table));
+  if (const auto* table = std::get_if<PositionTable>(&command.shape))
+    writer.field("positions", write_table(*table));
 }
 
 void write_beyond(ObjectWriter& writer, const EditVcvCommand& command) {
@@ -291,10 +321,9 @@ void write_beyond(ObjectWriter& writer, const LayersCommand& command) {
   write_layer_lists(writer, command.layers);
 }
 
-/// The fields that all commands share: markers, the options of their tables, smoothing options.
+/// The fields that all commands share: the options of their tables, smoothing options.
 template <class Archive, class Command>
 void common_fields(Archive& archive, Command& command) {
-  if constexpr (requires { command.markers; }) archive.required("markers", command.markers);
   option_fields(archive, command);
   if constexpr (requires { command.smooth; }) {
     archive.object("smooth", [&](auto& inner) { option_fields(inner, command.smooth); });

@@ -209,26 +209,67 @@ Column column_of(std::string_view field) {
   return name == "dz" ? Column::dz : Column::none;
 }
 
-class Reader {
- public:
-  explicit Reader(const Source& source) : source_(source), scan_(source) {}
+/// What the columns of a kind of table may be.
+struct TableKind {
+  const char* what;     ///< "displacement"
+  const char* lines;    ///< expected of the file
+  const char* names;    ///< expected of the first line of names
+  const char* unnamed;  ///< expected of the columns if they have no names
+  const char* instead;  ///< what to do with a file of the other kind
+  /// Columns without names, by their number: 3, 4 or 6; empty: not such a number.
+  std::array<std::vector<Column>, 3> by_number;
+};
 
-  DisplacementTable read() {
-    DisplacementTable table;
-    table.source = source_.name();
+const TableKind& displacement_kind() {
+  using enum Column;
+  static const TableKind kind{"displacement",
+                              "lines \"node,dx,dy\" or \"x,y,dx,dy\", in space with z and dz",
+                              "node,dx,dy or x,y,dx,dy, in space with z and dz",
+                              "3 (node,dx,dy), 4 (x,y,dx,dy) or 6 (x,y,z,dx,dy,dz)",
+                              "; give this file as positions (--positions), not as displacements",
+                              {{{node, dx, dy}, {x, y, dx, dy}, {x, y, z, dx, dy, dz}}}};
+  return kind;
+}
+
+const TableKind& position_kind() {
+  using enum Column;
+  static const TableKind kind{"position",
+                              "lines \"node,x,y\", in space \"node,x,y,z\"",
+                              "node,x,y, in space with z",
+                              "3 (node,x,y) or 4 (node,x,y,z)",
+                              "; give this file as displacements (--displacements), not as "
+                              "positions",
+                              {{{node, x, y}, {node, x, y, z}, {}}}};
+  return kind;
+}
+
+/// A row of a table, by its columns. Vectors of missing columns are zero.
+struct TableRow {
+  int line;
+  std::optional<Index> node;
+  GivenVector place, displacement;
+};
+
+/// Reads the rows of a table with columns of single nodes.
+class RowReader {
+ public:
+  RowReader(const Source& source, const TableKind& kind)
+      : source_(source), kind_(kind), scan_(source) {}
+
+  template <class Add>
+  void read(const Add& add) {
+    int rows = 0;
     while (!scan_.at_end()) {
       ++line_number_;
       offset_ = scan_.offset();
       const auto fields = split(scan_.line());
       if (fields.empty()) continue;
       if (columns_.empty() && !choose_columns(fields)) continue;
-      table.entries.push_back(entry(fields));
+      add(row(fields));
+      ++rows;
     }
-    if (table.entries.empty()) {
-      source_.fail(source_.text().size(), "no displacement",
-                   "lines \"node,dx,dy\" or \"x,y,dx,dy\", in space with z and dz");
-    }
-    return table;
+    if (rows == 0)
+      source_.fail(source_.text().size(), std::string("no ") + kind_.what, kind_.lines);
   }
 
  private:
@@ -238,45 +279,53 @@ class Reader {
       return parse_number(field).has_value();
     });
     if (!names) {
-      if (fields.size() == 3) columns_ = {Column::node, Column::dx, Column::dy};
-      if (fields.size() == 4) columns_ = {Column::x, Column::y, Column::dx, Column::dy};
-      if (fields.size() == 6) {
-        columns_ = {Column::x, Column::y, Column::z, Column::dx, Column::dy, Column::dz};
-      }
-      if (columns_.empty()) {
-        source_.fail(offset_, std::to_string(fields.size()) + " columns",
-                     "3 (node,dx,dy), 4 (x,y,dx,dy) or 6 (x,y,z,dx,dy,dz)");
-      }
+      constexpr std::array<std::size_t, 3> numbers{3, 4, 6};
+      const std::size_t k = index_of(numbers, fields.size());
+      if (k < numbers.size()) columns_ = kind_.by_number[k];
+      if (columns_.empty())
+        source_.fail(offset_, std::to_string(fields.size()) + " columns", kind_.unnamed);
       return true;
     }
     for (const auto field : fields) columns_.push_back(column_of(field));
-    const bool place = count(Column::node) == 1 || (count(Column::x) == 1 && count(Column::y) == 1);
-    const bool ambiguous = count(Column::node) == 1 && count(Column::x) + count(Column::y) > 0;
-    const bool twice = count(Column::z) > 1 || count(Column::dz) > 1;
-    if (!place || ambiguous || twice || count(Column::dx) != 1 || count(Column::dy) != 1) {
-      source_.fail(offset_, "other columns", "node,dx,dy or x,y,dx,dy, in space with z and dz");
-    }
+    if (const std::string found = wrong_columns(); !found.empty())
+      source_.fail(offset_, found,
+                   std::string(kind_.names) + (found == other ? "" : kind_.instead));
     return false;
+  }
+
+  /// What is wrong with the named columns; empty: nothing.
+  std::string wrong_columns() const {
+    using enum Column;
+    const bool by_node = count(node) == 1, by_place = count(x) == 1 && count(y) == 1;
+    const bool ways = count(dx) == 1 && count(dy) == 1;
+    const bool no_ways = count(dx) + count(dy) + count(dz) == 0;
+    const bool twice = count(z) > 1 || count(dz) > 1;
+    if (&kind_ == &position_kind()) {
+      if (by_node && by_place && no_ways && !twice) return {};
+      return no_ways ? other : "columns of displacements";
+    }
+    const bool ambiguous = by_node && count(x) + count(y) > 0;
+    if ((by_node || by_place) && ways && !ambiguous && !twice) return {};
+    return by_node && by_place && no_ways ? "columns of positions" : other;
   }
 
   std::ptrdiff_t count(Column column) const {
     return std::count(columns_.begin(), columns_.end(), column);
   }
 
-  DisplacementEntry entry(const std::vector<std::string_view>& fields) const {
+  TableRow row(const std::vector<std::string_view>& fields) const {
     if (fields.size() != columns_.size()) {
       source_.fail(offset_, std::to_string(fields.size()) + " columns",
                    std::to_string(columns_.size()) + " as in the first line");
     }
-    DisplacementEntry entry;
-    entry.line = line_number_;
+    TableRow row{line_number_, {}, {}, {}};
     Vec3 position(0, 0, 0), displacement(0, 0, 0);
     for (std::size_t i = 0; i < fields.size(); ++i) {
       switch (columns_[i]) {
         case Column::none:
           break;
         case Column::node:
-          entry.node = node(fields[i]);
+          row.node = node(fields[i]);
           break;
         case Column::x:
         case Column::y:
@@ -290,9 +339,9 @@ class Reader {
           break;
       }
     }
-    entry.position = GivenVector::of(count(Column::z) == 0 ? 2 : 3, position);
-    entry.displacement = GivenVector::of(count(Column::dz) == 0 ? 2 : 3, displacement);
-    return entry;
+    row.place = GivenVector::of(count(Column::z) == 0 ? 2 : 3, position);
+    row.displacement = GivenVector::of(count(Column::dz) == 0 ? 2 : 3, displacement);
+    return row;
   }
 
   double number(std::string_view field) const {
@@ -313,7 +362,10 @@ class Reader {
     source_.fail(offset_, field.empty() ? "an empty field" : in_quotes(field), expected);
   }
 
+  static constexpr const char* other = "other columns";
+
   const Source& source_;
+  const TableKind& kind_;
   Scanner scan_;
   std::vector<Column> columns_;
   int line_number_ = 0;
@@ -324,7 +376,22 @@ class Reader {
 
 DisplacementTable read_displacements(const std::filesystem::path& path) {
   const Source source = Source::load(path);
-  return Reader(source).read();
+  DisplacementTable table;
+  table.source = source.name();
+  RowReader(source, displacement_kind()).read([&](const TableRow& row) {
+    table.entries.push_back({row.node, row.place, row.displacement, row.line});
+  });
+  return table;
+}
+
+PositionTable read_positions(const std::filesystem::path& path) {
+  const Source source = Source::load(path);
+  PositionTable table;
+  table.source = source.name();
+  RowReader(source, position_kind()).read([&](const TableRow& row) {
+    table.entries.push_back({*row.node, row.place, row.line});
+  });
+  return table;
 }
 
 void write_convergence_csv(const std::filesystem::path& path,

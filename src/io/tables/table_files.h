@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/mesh/mesh.h"
-#include "core/motion/motion.h"
+#include "core/motion/node_table.h"
 #include "core/outer/outer_solver.h"
 
 /// Writes an outline for a plot:
@@ -42,8 +42,15 @@ void write_boundary(const std::filesystem::path& path, const Mesh& mesh,
 /// comment). A header line may name the columns: node (or id), x, y, z, dx, dy, dz; other columns
 /// are skipped; z and dz are for volume meshes. Without a header three columns are node, dx, dy,
 /// four are x, y, dx, dy and six are x, y, z, dx, dy, dz. Nodes count from 0; lengths are in the
-/// unit of the mesh. Throws InputError "FILE:LINE: found ..., expected ...".
+/// unit of the mesh. Throws InputError "FILE:LINE: found ..., expected ...", also for a header of
+/// positions.
 DisplacementTable read_displacements(const std::filesystem::path& path);
+
+/// Reads a file of positions after the motion, in the same way. A header line may name the columns:
+/// node (or id), x, y, z; other columns are skipped. Without a header three columns are node, x, y
+/// and four are node, x, y, z, as in the surface files of SU2. Throws InputError as above, also for
+/// a header of displacements.
+PositionTable read_positions(const std::filesystem::path& path);
 
 /// Writes the iterations of one command as a table:
 ///

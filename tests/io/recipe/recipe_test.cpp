@@ -248,6 +248,41 @@ TEST_CASE("recipe: displacements are embedded") {
   }
 }
 
+TEST_CASE("recipe: positions are embedded, and tables need no markers") {
+  PositionTable table;
+  table.source = "folder/p.csv";
+  table.entries.push_back({17, {1.0 / 3.0, -0.2}, 2});
+  table.entries.push_back({3, {0.1, 1e-17, 1.0 / 7.0}, 0});
+  for (const std::vector<std::string>& markers :
+       {std::vector<std::string>{}, std::vector<std::string>{"wet"}}) {
+    const DeformCommand read = round_trip(DeformCommand{markers, table, {}, {}});
+    CHECK(read.markers == markers);
+    REQUIRE(std::holds_alternative<PositionTable>(read.shape));
+    const auto& back = std::get<PositionTable>(read.shape);
+    CHECK(back.source == table.source);
+    REQUIRE(back.entries.size() == 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+      CHECK(back.entries[i].node == table.entries[i].node);
+      CHECK(back.entries[i].position == table.entries[i].position);
+      CHECK(back.entries[i].line == table.entries[i].line);
+    }
+  }
+  const DisplacementTable ways{{{17, Vec2(0, 0), {0.1, -0.2}, 2}}, "d.csv"};
+  CHECK(round_trip(DeformCommand{{}, ways, {}, {}}).markers.empty());
+}
+
+TEST_CASE("recipe: positions of a file are looked for beside the recipe") {
+  const TemporaryFolder folder;
+  folder.write("p.csv", "node,x,y\n4,0.5,-0.5\n");
+  const auto path = folder.write("r.json", with_command(R"({"command": "deform",
+                                 "positions": {"file": "p.csv"}})"));
+  const auto recipe = io::read_recipe(path);
+  const auto& table = std::get<PositionTable>(std::get<DeformCommand>(recipe.commands.at(0)).shape);
+  REQUIRE(table.entries.size() == 1);
+  CHECK(table.entries[0].node == 4);
+  CHECK(table.entries[0].position == Vec2(0.5, -0.5));
+}
+
 TEST_CASE("recipe: deformations in space survive, with their third components") {
   SineDeformation sine{0.1, 1, {0.5, 0, -0.25}};
   sine.along = Vec3(1.0 / 3, 2, -3);
@@ -393,7 +428,7 @@ TEST_CASE("recipe: errors name line and key") {
       {with_command(R"({"command": "smooth", "smooth": {"targets": {"element": 0}}})"),
        "3: commands[0].smooth.targets: the shares must not be negative, nor all zero"},
       {with_command(R"({"command": "deform", "markers": ["a"]})"),
-       "3: commands[0]: expected either \"sine\" or \"displacements\""},
+       "3: commands[0]: expected either \"sine\", \"displacements\" or \"positions\""},
       {with_command(R"({"command": "deform", "markers": ["a"], "sine": {"waves": 1}})"),
        "3: commands[0].sine: the key \"amplitude\" is missing"},
       {with_command("{\"command\": \"deform\", \"markers\": [\"a\"], \"displacements\":\n"

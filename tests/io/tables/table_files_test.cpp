@@ -194,6 +194,64 @@ TEST_CASE("displacements: z and dz by name, and six columns without names") {
   CHECK_CONTAINS(error("1,2,3,4,5\n"), "d.csv:1: found 5 columns");
 }
 
+TEST_CASE("positions: by name, and three or four columns without names, as SU2 writes them") {
+  const auto read_positions = [](const std::string& text) {
+    const TemporaryFolder folder;
+    write_text(folder / "p.csv", text);
+    return io::read_positions(folder / "p.csv");
+  };
+  const PositionTable plane = read_positions("id,x,y\n4,0.5,-1e-3\n\n# more\n7,1,2\n");
+  REQUIRE(plane.entries.size() == 2);
+  CHECK(plane.entries[0].node == 4);
+  CHECK(plane.entries[0].position == Vec2(0.5, -1e-3));
+  CHECK(plane.entries[0].position.numbers(0) == 2);
+  CHECK(plane.entries[1].line == 5);
+  CHECK_CONTAINS(plane.source, "p.csv");
+  CHECK(read_positions("4 0.5 1").entries[0].position == Vec2(0.5, 1));
+  for (const char* text : {"z,node,x,y\n3,4,1,2\n", "4\t1\t2\t3\n"}) {
+    const PositionEntry entry = read_positions(text).entries[0];
+    CHECK(entry.node == 4);
+    CHECK(entry.position == Vec3(1, 2, 3));
+    CHECK(entry.position.numbers(0) == 3);
+  }
+  const auto complaint = [&](const std::string& text) {
+    try {
+      read_positions(text);
+    } catch (const InputError& error) {
+      const std::string what = error.what();
+      return what.substr(what.find("p.csv"));
+    }
+    return std::string("no error");
+  };
+  CHECK_CONTAINS(complaint("x,y,z\n1,2,3\n"), "p.csv:1: found other columns, expected node,x,y");
+  CHECK_CONTAINS(complaint("node,x,y\n1.5,2,3\n"), "p.csv:2: found '1.5', expected the number");
+  CHECK_CONTAINS(complaint("0.5,0.5,0.1,0.2\n"), "p.csv:1: found '0.5', expected the number of");
+  CHECK_CONTAINS(complaint("1,2,3,4,5,6\n"),
+                 "p.csv:1: found 6 columns, expected 3 (node,x,y) or 4 (node,x,y,z)");
+  CHECK_CONTAINS(complaint("node,x,y\n"), "found no position");
+}
+
+TEST_CASE("positions are not read as displacements, nor displacements as positions") {
+  CHECK_CONTAINS(error("node,x,y\n1,2,3\n"),
+                 "d.csv:1: found columns of positions, expected node,dx,dy or x,y,dx,dy, in space "
+                 "with z and dz; give this file as positions (--positions), not as displacements");
+  CHECK_CONTAINS(error("id,x,y,z\n1,2,3,4\n"), "found columns of positions");
+  const TemporaryFolder folder;
+  for (const char* names :
+       {"node,dx,dy\n1,2,3\n", "x,y,dx,dy\n1,2,3,4\n", "node,x,y,dx\n1,2,3,4\n"}) {
+    write_text(folder / "d.csv", names);
+    try {
+      io::read_positions(folder / "d.csv");
+      FAIL("accepted");
+    } catch (const InputError& refused) {
+      CHECK_CONTAINS(
+          std::string(refused.what()),
+          "found columns of displacements, expected node,x,y, in space with z; give this "
+          "file as displacements (--displacements), not as positions");
+    }
+  }
+}
+
 TEST_CASE("displacements: bad files are refused with the line") {
   CHECK_CONTAINS(error("node,dx,dy\n1,2\n"), "d.csv:2: found 2 columns, expected 3");
   CHECK_CONTAINS(error("node,dx,dy\n1,2,x\n"), "d.csv:2: found 'x', expected a finite number");

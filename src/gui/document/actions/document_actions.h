@@ -165,6 +165,13 @@ struct ApplyDeformation {
 };
 /// Moves all bodies of the list together, as one command.
 struct ApplyBodyPlan {};
+/// Moves the nodes that a file names, on the boundary and inside, and smooths the mesh around them;
+/// the rest of the boundary stays. The file is read first; a file that cannot be read changes
+/// nothing.
+struct MoveNodesOfFile {
+  std::filesystem::path file;
+  bool positions = false;  ///< the file says where nodes are afterwards, not how far they move
+};
 /// Switches shape editing, and sets the distance along the boundary over which a drag fades, in
 /// units of the mesh.
 struct SetShapeEdit {
@@ -281,7 +288,8 @@ using SettingsAction =
 using LayerAction = std::variant<action::PreviewLayers>;
 using MessageAction = std::variant<action::DismissPrompt, action::DismissBanner, action::Remark>;
 using MotionAction = std::variant<action::ApplyMotion, action::ApplyDeformation,
-                                  action::ApplyBodyPlan, action::SetShapeEdit, action::BeginDrag,
+                                  action::ApplyBodyPlan, action::MoveNodesOfFile,
+                                  action::SetShapeEdit, action::BeginDrag,
                                   action::DragTo, action::EndDrag, action::CancelDrag>;
 using SelectionAction =
     std::variant<action::SelectMarkers, action::HoverMarkers, action::SetPivot,

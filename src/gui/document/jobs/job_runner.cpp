@@ -182,6 +182,9 @@ double settle(MoveCommand& move, double fraction, const Mesh& base, const Coordi
 void settle(DeformCommand& deform, double fraction, const Coordinates& rest,
             const Coordinates& now) {
   if (auto* sine = std::get_if<SineDeformation>(&deform.shape)) sine->amplitude *= fraction;
+  if (auto* positions = std::get_if<PositionTable>(&deform.shape))
+    for (PositionEntry& entry : positions->entries)
+      entry.position = GivenVector::of(now.dimension(), place_of(now, entry.node));
   auto* table = std::get_if<DisplacementTable>(&deform.shape);
   if (!table) return;
   for (DisplacementEntry& entry : table->entries) {

@@ -5,6 +5,7 @@
 #include "core/motion/rigid_motion.h"
 #include "core/vcv/sphere/node_vcv.h"
 #include "gui/document/jobs/body_drag.h"
+#include "io/tables/table_files.h"
 
 namespace winslow::gui {
 
@@ -42,6 +43,56 @@ void Motions::on(const action::ApplyBodyPlan&) {
   selection_.drop_preview();
   if (jobs_.start(settings_.move_together(selection_.plan().bodies()), false))
     selection_.begin_plan();
+}
+
+void Motions::on(const action::MoveNodesOfFile& a) {
+  if (!mesh_.document() || work_.held().body || reader_.busy()) return;
+  reader_.start([a] {
+    ReadTable read{a.file.filename().string(), {}, {}};
+    read.error = error_of([&] {
+      if (a.positions)
+        read.shape = io::read_positions(a.file);
+      else
+        read.shape = io::read_displacements(a.file);
+    });
+    return read;
+  });
+}
+
+bool Motions::poll() {
+  const std::optional<ReadTable> read = reader_.poll();
+  if (!read) return false;
+  if (!read->error.empty())
+    messages_.report_error("Cannot read " + read->name, read->error);
+  else if (mesh_.document() && !work_.held().body)
+    move_nodes(read->shape);
+  return true;
+}
+
+/// Names no markers: the table says what moves. Markers that have a face of nodes that all move do
+/// not slide.
+void Motions::move_nodes(const decltype(DeformCommand::shape)& table) {
+  const Mesh& mesh = std::as_const(mesh_).document()->state().mesh;
+  const Markers& markers = mesh.topology->markers();
+  std::vector<std::string> moving;
+  try {
+    const auto motion = std::visit(
+        [&](const auto& shape) { return make_motion(*mesh.topology, mesh.coordinates, {}, shape); },
+        table);
+    const auto moves = [&](Index node) {
+      return std::ranges::binary_search(motion->nodes(), node);
+    };
+    for (const Marker& marker : markers.list())
+      if (std::ranges::any_of(marker.faces,
+                              [&](const Face& face) { return std::ranges::all_of(face, moves); }))
+        moving.push_back(marker.name);
+  } catch (const UsageError& error) {
+    return messages_.report_error("These nodes cannot be moved", error.what());
+  }
+  selection_.drop_preview();
+  jobs_.start(
+      DeformCommand{{}, table, settings_.motion_options(), settings_.smooth_for_motion(moving)},
+      false);
 }
 
 void Motions::on(const action::SetShapeEdit& a) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/base/background.h"
 #include "gui/document/actions/document_actions.h"
 #include "gui/document/session/jobs.h"
 #include "gui/document/session/live_mesh.h"
@@ -23,9 +24,15 @@ class Motions {
   /// Cancels the drag and restores the mesh before it.
   void cancel_drag();
 
+  /// Carries out what a file says that has been read since the last call. True if there was one.
+  bool poll();
+  /// A file of single nodes is being read.
+  bool busy() const { return reader_.busy(); }
+
   void on(const action::ApplyMotion& a);
   void on(const action::ApplyDeformation& a);
   void on(const action::ApplyBodyPlan&);
+  void on(const action::MoveNodesOfFile& a);
   void on(const action::SetShapeEdit& a);
   void on(const action::BeginDrag& a);
   void on(const action::DragTo& a);
@@ -41,6 +48,13 @@ class Motions {
   DragGrip shape_grip() const;
   bool begin_body_drag(DragGrip grip);
   void end_body_drag();
+  void move_nodes(const decltype(DeformCommand::shape)& table);
+
+  struct ReadTable {
+    std::string name;  ///< of the file
+    decltype(DeformCommand::shape) shape;
+    std::string error;  ///< empty: none
+  };
 
   OngoingWork& work_;
   LiveMesh& mesh_;
@@ -50,6 +64,7 @@ class Motions {
   Jobs& jobs_;
   std::optional<RigidMotion> base_;   // motion of the job that the drag joined
   std::optional<Coordinates> start_;  // mesh that the drag took over from that job
+  Background<ReadTable> reader_;
 };
 
 /// Changes virtual control volumes: at once, or by a drag that the mesh follows.

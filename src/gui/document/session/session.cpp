@@ -23,6 +23,7 @@ bool Session::poll() {
   changed |= quality_.poll();
   changed |= settings_.poll();
   changed |= layers_.poll();
+  changed |= motions_.poll();
   changed |= jobs_.poll();
   changed |= inspection_.poll();
   return changed;
@@ -30,7 +31,7 @@ bool Session::poll() {
 
 bool Session::working() const {
   return files_.busy() || history_.busy() || quality_.busy() || settings_.busy() ||
-         layers_.busy() || jobs_.working() || inspection_.busy();
+         layers_.busy() || motions_.busy() || jobs_.working() || inspection_.busy();
 }
 
 namespace {

@@ -41,6 +41,7 @@ class Session {
   const SolverSettings& solver_settings() const { return settings_; }
   const MeshLayers& layers() const { return layers_; }
   const Jobs& jobs() const { return jobs_; }
+  const Motions& motions() const { return motions_; }
   const Files& files() const { return files_; }
   Files& files() { return files_; }
   const Inspection& inspection() const { return inspection_; }

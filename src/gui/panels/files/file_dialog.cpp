@@ -172,6 +172,12 @@ void FileDialog::choose(const PanelContext& context, const fs::path& path) {
     case FilePurpose::reference:
       context.emit(action::ChooseReference{path});
       break;
+    case FilePurpose::displacements:
+      context.emit(action::MoveNodesOfFile{path, false});
+      break;
+    case FilePurpose::positions:
+      context.emit(action::MoveNodesOfFile{path, true});
+      break;
     case FilePurpose::step_reference:
       context.emit(action::ChooseStepReference{path});
       break;

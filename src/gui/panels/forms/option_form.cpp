@@ -207,11 +207,10 @@ class CommandFields {
   void operator()(DeformCommand& command) {
     if (auto* sine = std::get_if<SineDeformation>(&command.shape)) {
       rows(option_table(*sine));
-    } else {
-      const auto& table = std::get<DisplacementTable>(command.shape);
-      text_wrapped(counted(table.entries.size(), "displacement") +
-                   (table.source.empty() ? "" : " from " + table.source) +
-                   "; they cannot be changed here.");
+    } else if (const auto* ways = std::get_if<DisplacementTable>(&command.shape)) {
+      tell_table(ways->entries.size(), "displacement", ways->source);
+    } else if (const auto* positions = std::get_if<PositionTable>(&command.shape)) {
+      tell_table(positions->entries.size(), "position", positions->source);
     }
     motion(command.how, command.smooth);
   }
@@ -237,6 +236,11 @@ class CommandFields {
   }
 
  private:
+  static void tell_table(std::size_t rows, const char* what, const std::string& source) {
+    text_wrapped(counted(rows, what) + (source.empty() ? "" : " from " + source) +
+                 "; they cannot be changed here.");
+  }
+
   /// Draws a body; with several bodies, also its name.
   void body(MoveCommand& command, std::size_t number) {
     MovingBody& body = command.bodies[number];

@@ -39,6 +39,7 @@ void Dialogs::on(const action::ShowFileDialog& a) {
   if (a.purpose == FilePurpose::step_reference && !of_step.empty()) suggested = of_step;
   const bool reads =
       a.purpose == FilePurpose::open_mesh || a.purpose == FilePurpose::replay_recipe ||
+      a.purpose == FilePurpose::displacements || a.purpose == FilePurpose::positions ||
       a.purpose == FilePurpose::reference || a.purpose == FilePurpose::step_reference;
   if (!reads && bundled(suggested))
     suggested = std::filesystem::current_path(ignored) / suggested.filename();

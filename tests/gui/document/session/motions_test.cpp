@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <fstream>
+#include <sstream>
+
 #include "core/command/command.h"
 #include "core/motion/rigid_motion.h"
 #include "gui/support/rig.h"
@@ -38,6 +41,51 @@ TEST_CASE("nothing selected, nothing moves") {
   parts.motions.on(action::ApplyDeformation{});
   CHECK_FALSE(parts.mesh.in_motion());
   CHECK_FALSE(parts.work.held().body);
+}
+
+TEST_CASE(
+    "nodes move by a file that is read first, on the boundary and inside, with nothing selected") {
+  SessionParts parts(ring_mesh());
+  const Coordinates before = parts.mesh.coordinates();
+  const Index inside = parts.free_node();
+  const Index wall = parts.mesh.topology()->markers().nodes(parts.marker("flap")).front();
+  const auto carry_out = [&](const std::string& text, bool positions) {
+    const auto file = parts.folder / "nodes.csv";
+    std::ofstream(file) << text;
+    parts.motions.on(action::MoveNodesOfFile{file, positions});
+    while (!parts.motions.poll()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    parts.finish();
+  };
+  std::ostringstream ways;
+  ways << "node,dx,dy\n" << inside << ",0.003,0.002\n" << wall << ",0.002,0\n";
+  carry_out(ways.str(), false);
+  REQUIRE(parts.done().position() == 1);
+  CHECK(describe(parts.done().command(1)) == "Displace 2 nodes");
+  CHECK(parts.done().result(1).inverted == 0);
+  const Coordinates after = parts.mesh.coordinates();
+  CHECK(after.xy(inside) == Vec2(before.xy(inside) + Vec2(0.003, 0.002)));
+  CHECK(after.xy(wall) == Vec2(before.xy(wall) + Vec2(0.002, 0)));
+  // Back to where they were.
+  std::ostringstream places;
+  places.precision(17);
+  places << "node,x,y\n";
+  for (const Index node : {inside, wall})
+    places << node << ',' << before.xy(node).x() << ',' << before.xy(node).y() << '\n';
+  carry_out(places.str(), true);
+  REQUIRE(parts.done().position() == 2);
+  CHECK(describe(parts.done().command(2)) == "Put 2 nodes to given positions");
+  for (const Index node : {inside, wall})
+    CHECK(parts.mesh.coordinates().xy(node) == before.xy(node));
+  // Neither file is what the other is, and a node that is not there is none.
+  carry_out(places.str(), false);
+  CHECK(parts.done().position() == 2);
+  REQUIRE(parts.messages.prompt());
+  CHECK(parts.messages.prompt()->title == "Cannot read nodes.csv");
+  parts.messages.on(action::DismissPrompt{});
+  carry_out("node,dx,dy\n100000,0,0\n", false);
+  CHECK(parts.done().position() == 2);
+  REQUIRE(parts.messages.prompt());
+  CHECK(parts.messages.prompt()->title == "These nodes cannot be moved");
 }
 
 TEST_CASE("a drag shows the mesh where the mouse is and ends as the command of its whole way") {

@@ -1,7 +1,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <fstream>
 
+#include "gui/panels/files/file_dialog.h"
 #include "gui/support/pixels.h"
 #include "gui/support/rig.h"
 
@@ -175,6 +177,34 @@ TEST_CASE("the sine panel shows its outline first and then deforms by it") {
     const Vec2 wanted = was + Vec2(0, 0.05 * std::sin(2 * pi * 2 * s));
     CHECK((rig.mesh().coordinates.xy(node) - wanted).norm() < 1e-9);
   }
+  CHECK(rig.document().history().result(1).inverted == 0);
+}
+
+TEST_CASE("files of single nodes are chosen below the sine, with nothing selected") {
+  Rig rig(1280, 1200);
+  rig.open(ring_mesh());
+  rig.click("section/shape");
+  const Coordinates before = rig.mesh().coordinates;
+  const Index node = rig.mesh().topology->interior_nodes().front();
+  std::ofstream(rig.folder / "ways.csv") << "node,dx,dy\n" << node << ",0.003,0.002\n";
+  for (const char* button : {"shape/positions", "shape/displacements"}) {
+    rig.click(button);
+    REQUIRE(rig.wait([&] {
+      const FileDialog& dialog = rig.bench->dialogs().file_dialog();
+      return dialog.is_open() && !dialog.busy();
+    }));
+    rig.type("ways.csv");
+    rig.key(keys::enter);
+    REQUIRE(rig.settle());
+    rig.frames();
+    if (!rig.session().messages().prompt()) break;
+    // They are no positions.
+    CHECK(std::string(button) == "shape/positions");
+    rig.key(keys::enter);
+    rig.frames();
+  }
+  REQUIRE(rig.document().history().size() == 2);
+  CHECK(rig.mesh().coordinates.xy(node) == Vec2(before.xy(node) + Vec2(0.003, 0.002)));
   CHECK(rig.document().history().result(1).inverted == 0);
 }
 
