@@ -9,7 +9,7 @@ namespace winslow {
 
 namespace {
 
-constexpr double changed_share = 0.05, grossly_changed = 0.2, sine_kept = 0.5;
+constexpr double changed_share = 0.05, grossly_changed = 0.2, sine_kept = 0.9;
 
 std::string number(const char* format, double value) {
   char text[40];

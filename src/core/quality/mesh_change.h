@@ -32,7 +32,7 @@ struct Damage {
   std::optional<Index> element;  ///< the element with the smallest sine, if that has fallen
 };
 
-/// Damage is a change of first heights that spoils_walls(), or a smallest sine less than half of
+/// Damage is a change of first heights that spoils_walls(), or a smallest sine more than 10 % below
 /// the one before. There is no damage if one of the meshes has inverted elements, or if they have
 /// different topologies.
 Damage find_damage(const Mesh& before, const Mesh& after);
