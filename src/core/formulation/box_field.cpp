@@ -24,8 +24,8 @@ struct AxisShape {
 /// (sign 1) or in the opposite one (-1).
 struct Neighbour {
   Index element;
+  int along;  ///< axis of the element that leads to it; of a prism 2 in its column, else 0
   std::array<signed char, 3> axis{0, 1, 2}, sign{1, 1, 1};
-  bool in_column = false;  ///< a prism on a triangle of the other
 };
 
 /// Whether a corner lies at the end of each axis.
@@ -63,10 +63,11 @@ struct FaceAxes {
 
 Neighbour neighbour_across(const Topology& topology, Index e, Index other, const Face& face) {
   const ElementType type = topology.element_type(e);
-  Neighbour out{.element = other, .in_column = face.size() == 3};
+  Neighbour out{.element = other, .along = face.size() == 3 ? 2 : 0};
   if (type == ElementType::prism) return out;
   const FaceAxes mine(type, topology.element(e), face), its(type, topology.element(other), face);
   const auto dimension = at(dimension_of(type));
+  out.along = mine.axis[dimension - 1];
   for (std::size_t k = 0; k < dimension; ++k) {
     const int alike = k + 1 == dimension ? -1 : 1;  // what leads out here leads in there
     const std::size_t axis = at(mine.axis[k]);
@@ -115,10 +116,14 @@ class Boxes {
     find_neighbours();
     std::vector<AxisShape> own(count);
     for_each_box([&](Index e) { own[at(e)] = shape(e); });
-    std::vector<AxisShape> shapes = around(own, median);
+    std::vector<AxisShape> shapes = around(own, median, Lines::enclosed);
+    const std::vector<AxisShape> by_all = around(own, median, Lines::all);
     std::vector<double> single(count, 0.0);
     for_each_box([&](Index e) {
-      single[at(e)] = std::max(difference(own[at(e)], shapes[at(e)]), change_in_column(e));
+      const AxisShape& mine = own[at(e)];
+      const double departs =
+          std::min(difference(mine, shapes[at(e)]), difference(mine, by_all[at(e)]));
+      single[at(e)] = std::max(departs, change_in_column(e));
     });
     constexpr int rows = 3;
     constexpr double own_part = 0.25;
@@ -127,7 +132,9 @@ class Boxes {
     for (std::size_t e = 0; e < count; ++e)
       field.roughness[e] = std::max(field.roughness[e], own_part * single[e]);
     if (std::ranges::all_of(field.roughness, [&](double r) { return r <= smooth; })) return field;
-    shapes = around(around(around(shapes, median), mean), mean);
+    shapes = around(shapes, median, Lines::enclosed);
+    constexpr int averages = 4;
+    for (int k = 0; k < averages; ++k) shapes = around(shapes, mean, Lines::enclosed);
     field.sides.assign(count, Vec3::Zero());
     for_each_box([&](Index e) {
       const auto& ratio = shapes[at(e)].ratio;
@@ -235,7 +242,7 @@ class Boxes {
     const auto triangle = middle(nodes);
     double sum = 0, count = 0;
     for (const Neighbour& neighbour : neighbours(e)) {
-      if (!neighbour.in_column) continue;
+      if (neighbour.along != 2) continue;
       const auto its_nodes = topology_.element(neighbour.element);
       const auto its = middle(its_nodes);
       std::array<Vec3, 3> same;  // the corners of its triangle over those of this one
@@ -253,9 +260,21 @@ class Boxes {
     return count > 0 ? sum / count : 0;
   }
 
+  /// Whether an element has neighbours on all sides along an axis. Beside a boundary the others
+  /// would be those on one side of a graded line.
+  bool is_enclosed(Index e, int along) const {
+    const bool around_prism = topology_.element_type(e) == ElementType::prism && along == 0;
+    const auto count = std::ranges::count(neighbours(e), along, &Neighbour::along);
+    return count == (around_prism ? 3 : 2);
+  }
+
+  /// Neighbours to heed: all of them, or those along the axes in which an element is enclosed.
+  enum class Lines { all, enclosed };
+
   /// Combines each number of an element with those of its neighbours.
   template <class Combine>
-  std::vector<AxisShape> around(const std::vector<AxisShape>& shapes, Combine&& combine) const {
+  std::vector<AxisShape> around(const std::vector<AxisShape>& shapes, Combine&& combine,
+                                Lines lines) const {
     constexpr std::size_t most = 7;
     std::vector<AxisShape> out(shapes.size());
     for_each_box([&](Index e) {
@@ -263,7 +282,8 @@ class Boxes {
       std::size_t count = 0;
       seen[count++] = shapes[at(e)];
       for (const Neighbour& neighbour : neighbours(e))
-        seen[count++] = seen_from(neighbour, shapes[at(neighbour.element)]);
+        if (lines == Lines::all || is_enclosed(e, neighbour.along))
+          seen[count++] = seen_from(neighbour, shapes[at(neighbour.element)]);
       for (std::size_t k = 0; k < (dimension(e) == 2 ? 1 : 3); ++k) {
         std::array<double, most> ratios{}, skews{};
         for (std::size_t i = 0; i < count; ++i) {

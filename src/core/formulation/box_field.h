@@ -15,10 +15,12 @@ namespace winslow {
 ///
 /// A grid that was made on purpose changes monotonically along its lines, whether it is graded,
 /// curved or skewed. There every number is the median of those of the element and its neighbours.
-/// In a jittered or an unstructured mesh it is not. The roughness of an element is the difference
-/// from these medians, averaged over three rows of elements; at least a quarter of its own
-/// difference. Prisms, whose triangles have no axes, differ from their neighbours by the ratio of
-/// height to triangle, and from those in their column by the shape of the triangle.
+/// In a jittered or an unstructured mesh it is not. (Beside the boundary, where lines end, two
+/// medians are taken, with and without the neighbours on the one side. The nearer one counts.) The
+/// roughness of an element is the difference from these
+/// medians, averaged over three rows of elements; at least a quarter of its own difference. Prisms,
+/// whose triangles have no axes, differ from their neighbours by the ratio of height to triangle,
+/// and from those in their column by the shape of the triangle.
 struct BoxField {
   std::vector<double> roughness;  ///< #elements; 0 for those of other types
   /// #elements: logarithms of the sides of the box along the axes of the element (those of

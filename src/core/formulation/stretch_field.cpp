@@ -240,10 +240,9 @@ class Field {
       if (longest != unknown)
         field.stiffness[at(e)] =
             stiffness(kept_stretch(e, field, std::min(stretch_[at(e)], longest)));
-      constexpr double pyramid = 30;
-      if (topology_.element_type(e) == ElementType::pyramid) field.stiffness[at(e)] *= pyramid;
       longest = longest == unknown ? 0 : longest + tolerance(e, longest);
     }
+    if (!is_of_one_type_) field.stiffness[at(e)] *= weight_of_type(topology_.element_type(e));
   }
 
   /// s of a target of an element whose own s, perhaps limited, is given.
@@ -258,6 +257,22 @@ class Field {
   static double stiffness(double kept_stretch) {
     constexpr double from_aspect = 4, most = 300;
     return std::clamp(std::exp(2 * kept_stretch) / from_aspect, 1.0, most);
+  }
+
+  /// Of one element among others. That of prisms and hexahedra is the volume of the regular
+  /// element, in tetrahedra: where many small cells share the room with few large ones, both give
+  /// way alike.
+  static double weight_of_type(ElementType type) {
+    switch (type) {
+      case ElementType::pyramid:
+        return 30;
+      case ElementType::prism:
+        return 3.7;
+      case ElementType::hexahedron:
+        return 8.5;
+      default:
+        return 1;
+    }
   }
 
   /// Some corners of stretched quadrilaterals are sharp because of the boundary's shape, e.g. at a

@@ -37,8 +37,12 @@ namespace winslow {
 /// In space s = log(s1 / s3) / 2, the mean over the element's corners, each relative to that of the
 /// regular element of its type. Tetrahedra are treated like triangles; prisms and hexahedra like
 /// quadrilaterals, with right prisms over equilateral triangles and with boxes in the place of
-/// rectangles. Pyramids keep all of their shape and count thirty times: around an apex there is one
-/// pyramid among some twenty tetrahedra, which would flatten it. Nothing is held at the boundary.
+/// rectangles. Pyramids keep all of their shape. Nothing is held at the boundary.
+///
+/// Where elements of several types meet in space, a hexahedron counts 8.5 times as much as a
+/// tetrahedron and a prism 3.7 times: these are their volumes if all edges are as long. With one
+/// weight for each, a hexahedron would give way to the six or more tetrahedra in its room. A
+/// pyramid counts thirty times: around its apex lie some twenty tetrahedra, which would flatten it.
 ///
 /// The target is the element's own shape with its stretch, relative to the regular shape or to the
 /// box, multiplied by the share and limited as above. Next to an inverted element a shape is
