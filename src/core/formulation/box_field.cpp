@@ -1,7 +1,5 @@
 #include "core/formulation/box_field.h"
 
-#include <cmath>
-
 #include "core/formulation/target_metric.h"
 #include "core/parallel/parallel_for.h"
 

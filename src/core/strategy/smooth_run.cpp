@@ -186,10 +186,9 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
 void recover_worst(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder,
                    Coordinates& x) {
   constexpr int rounds = 10;
-  constexpr double slight = 1e-3;
   if (workspace.options().formulation != Formulation::variational) return;
   const double enough = worst_of(workspace, state.mesh.coordinates);
-  if (worst_of(workspace, x) >= (1 - slight) * enough) return;
+  if (worst_of(workspace, x) >= least_sine_kept * enough) return;
   raise_worst_element(workspace, recorder, 1, x, {.enough = enough, .rounds = rounds});
 }
 

@@ -180,12 +180,10 @@ TEST_CASE("smoothing in place keeps the worst element of the mesh as given") {
 }
 
 TEST_CASE("regular targets do not leave the worst element below that of the mesh as given") {
-  // Squares have no room between circles: rings far apart beside rings close together.
-  MeshData data = annulus(24, 6, 1.3, Cells::quads);
-  const MeshState given = make_state(make_mesh(data));
+  const MeshState given = make_state(make_mesh(annulus(24, 6, 1.3, Cells::quads)));
   MoveCommand turn;
   turn.bodies[0].markers = {"inner"};
-  turn.bodies[0].motion.translate = {1.2, 0};
+  turn.bodies[0].motion.translate = {1.8, 0};
   turn.smooth.raise_worst = true;
   const MeshState best = execute(turn, given).state;
   const auto worst_of = [&](const Coordinates& x) {
@@ -194,17 +192,17 @@ TEST_CASE("regular targets do not leave the worst element below that of the mesh
   const double worst = worst_of(best.mesh.coordinates);
   SmoothCommand regular;
   regular.smooth.targets = TargetBlend::regular();
+  regular.smooth.penalty = {1, 0};  // hardly minds the worst elements
   Coordinates x = best.mesh.coordinates;
   const SmoothResult alone = smooth_interior(best, regular.smooth, x, {});
   REQUIRE(alone.converged);
-  REQUIRE(worst_of(x) < 0.97 * worst);
+  REQUIRE(worst_of(x) < 0.9 * worst);
   const CommandResult raised = execute(regular, best);
   CHECK(raised.smooth.converged);
   CHECK(raised.smooth.residual == alone.residual);
   CHECK(raised.smooth.history.back().stage == Stage::worst);
   CHECK(raised.smooth.outer_iterations <= alone.outer_iterations + 30);
-  CHECK(worst_of(raised.state.mesh.coordinates) > worst_of(x));
-  CHECK(worst_of(raised.state.mesh.coordinates) > 0.99 * worst);
+  CHECK(worst_of(raised.state.mesh.coordinates) > 0.5 * (worst_of(x) + worst));
 }
 
 /// The boundary of a volume mesh before its interior.
