@@ -229,8 +229,8 @@ void print_commands(const RunReport& run) {
     if (c.result.outer_iterations == 0) {
       std::cout << (c.result.fraction_reached < 1 ? "not begun" : "done");
       if (has_target_shapes(c.result))
-        std::cout << ", the elements have the shapes that `auto` targets give them; --targets "
-                     "element makes them regular";
+        std::cout << ", the elements have the shapes of their targets (--targets element makes all "
+                     "of them regular)";
     } else {
       std::cout << (c.result.converged ? "converged" : "NOT converged") << " after "
                 << c.result.outer_iterations << " iterations, residual " << c.result.residual;
