@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/formulation/box_field.h"
 #include "core/geometry/boundary_kinds.h"
 #include "core/geometry/surface_features.h"
 #include "core/motion/contact.h"
@@ -187,6 +188,10 @@ void recover_worst(const MeshState& state, SmoothingWorkspace& workspace, RunRec
                    Coordinates& x) {
   constexpr int rounds = 10;
   if (workspace.options().formulation != Formulation::variational) return;
+  bool right_angled = false;
+  for (Index e = 0; e < state.mesh.topology->element_count() && !right_angled; ++e)
+    right_angled = has_box(state.mesh.topology->element_type(e));
+  if (!right_angled) return;
   const double enough = worst_of(workspace, state.mesh.coordinates);
   if (worst_of(workspace, x) >= least_sine_kept * enough) return;
   raise_worst_element(workspace, recorder, 1, x, {.enough = enough, .rounds = rounds});
