@@ -182,8 +182,10 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
   result.inverted = 0;
 }
 
-/// If smoothing in place has still lowered the worst element, raises it to where it was, as far as
-/// a few rounds can: with targets that do not suit the mesh no number of rounds would.
+/// If smoothing in place has lowered the worst element so far that it counts as damage, raises it
+/// to where it was, or as far as a few rounds can: with targets that do not suit the mesh no number
+/// of rounds would. Smaller losses stay, so that the solution does not depend on the mesh as given.
+/// So do those of simplices, in which edges count as well as angles.
 void recover_worst(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder,
                    Coordinates& x) {
   constexpr int rounds = 10;
