@@ -242,11 +242,20 @@ void print_pivots(const CommandRecord& record) {
   }
 }
 
+/// Whether a run with `auto` targets found nothing to do.
+bool has_target_shapes(const SmoothResult& result) {
+  return result.outer_iterations == 0 && result.converged && result.fraction_reached == 1 &&
+         result.stretched;
+}
+
 void print_commands(const RunReport& run) {
   for (const CommandRecord& c : run.commands) {
     std::cout << printable(c.description) << ": ";
     if (c.result.outer_iterations == 0) {
       std::cout << (c.result.fraction_reached < 1 ? "not begun" : "done");
+      if (has_target_shapes(c.result))
+        std::cout << ", the elements have the shapes of their targets (--targets element makes all "
+                     "of them regular)";
     } else {
       std::cout << (c.result.converged ? "converged" : "NOT converged") << " after "
                 << c.result.outer_iterations << " iterations, residual " << c.result.residual;
@@ -386,7 +395,9 @@ void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
   const std::string name = zone.name();
   const std::string text =
       (name.empty() ? "" : name + ": ") + damage.text + "; " + hint_to_slide(zone, damage) +
-      "--hold-layers keeps heights at a wall, --targets rest the elements' own shapes";
+      (damage.node
+           ? "--hold-layers keeps heights at a wall, --targets rest the elements' own shapes"
+           : "--targets rest keeps the elements' own shapes, --raise-worst betters the worst one");
   warn(job.files, {text});
   run.warnings.push_back(text);
 }

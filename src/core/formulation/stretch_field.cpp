@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/formulation/box_field.h"
 #include "core/formulation/target_metric.h"
 #include "core/mesh/element_type.h"
 #include "core/parallel/parallel_for.h"
@@ -97,7 +98,10 @@ class Field {
  public:
   Field(const Topology& topology, const Coordinates& given, int threads,
         std::span<const Vec3> normals)
-      : topology_(topology), threads_(threads), stretch_(at(topology.element_count())) {
+      : topology_(topology),
+        given_(given),
+        threads_(threads),
+        stretch_(at(topology.element_count())) {
     for (Index e = 1; e < topology.element_count(); ++e)
       is_of_one_type_ &= topology.element_type(e) == topology.element_type(0);
     for_each_element([&](Index e) {
@@ -125,10 +129,11 @@ class Field {
                           : unknown;
       field.share[at(e)] = share_by_neighbours(e, around[at(e)]);
     });
+    straighten_rough_grids(field);
     constexpr int rows = 3;
     for (int row = 0; row < rows; ++row) spread(field.share);
     for_each_neighbourhood([&](Index e, Neighbourhood& near) { finish(e, near, field); });
-    field.stretched = stretched_part(field.share);
+    field.stretched = stretched_part(field);
     return field;
   }
 
@@ -170,6 +175,34 @@ class Field {
     return is_simplex(e) ? rising_step(around, stretched_from, 0.8) : 1;
   }
 
+  /// Reduces the shares of rough quadrilaterals, hexahedra and prisms, and sets their sides.
+  void straighten_rough_grids(StretchField& field) const {
+    constexpr double smooth = 0.025, rough = 0.05;
+    bool any = false;
+    for (Index e = 0; e < topology_.element_count() && !any; ++e)
+      any = has_box(topology_.element_type(e));
+    if (!any) return;
+    BoxField boxes = box_field(topology_, given_, smooth, threads_);
+    if (boxes.sides.empty()) return;
+    for_each_element([&](Index e) {
+      const double kept = 1 - rising_step(boxes.roughness[at(e)], smooth, rough);
+      Vec3& sides = boxes.sides[at(e)];
+      // Where nothing is straightened, slivers become less stretched, as if there were no boxes.
+      if (kept == 1 || std::isnan(field.longest[at(e)])) {
+        sides.setZero();
+      } else {
+        field.share[at(e)] *= kept;
+        sides *= rising_step(box_stretch(sides), 0.2, 0.45);
+      }
+    });
+    field.sides = std::move(boxes.sides);
+  }
+
+  /// s of a box.
+  static double box_stretch(const Vec3& sides) {
+    return 0.5 * (sides.maxCoeff() - sides.minCoeff());
+  }
+
   /// #nodes: number of elements at the node that are sufficiently stretched, or inverted.
   std::vector<Index> count_stretched() const {
     std::vector<Index> count(at(topology_.node_count()), 0);
@@ -205,9 +238,18 @@ class Field {
       field.weight[at(e)] = 1;
     } else {
       if (longest != unknown)
-        field.stiffness[at(e)] = stiffness(share * std::min(stretch_[at(e)], longest));
+        field.stiffness[at(e)] =
+            stiffness(kept_stretch(e, field, std::min(stretch_[at(e)], longest)));
       longest = longest == unknown ? 0 : longest + tolerance(e, longest);
     }
+    if (!is_of_one_type_) field.stiffness[at(e)] *= weight_of_type(topology_.element_type(e));
+  }
+
+  /// s of a target of an element whose own s, perhaps limited, is given.
+  double kept_stretch(Index e, const StretchField& field, double own) const {
+    const double share = field.share[at(e)];
+    const double of_box = field.sides.empty() ? 0 : box_stretch(field.sides[at(e)]);
+    return share * own + (1 - share) * of_box;
   }
 
   /// If there is less room than before, stretched elements should keep their height and others give
@@ -215,6 +257,22 @@ class Field {
   static double stiffness(double kept_stretch) {
     constexpr double from_aspect = 4, most = 300;
     return std::clamp(std::exp(2 * kept_stretch) / from_aspect, 1.0, most);
+  }
+
+  /// Of one element among others. That of prisms and hexahedra is the volume of the regular
+  /// element, in tetrahedra: where many small cells share the room with few large ones, both give
+  /// way alike.
+  static double weight_of_type(ElementType type) {
+    switch (type) {
+      case ElementType::pyramid:
+        return 30;
+      case ElementType::prism:
+        return 3.7;
+      case ElementType::hexahedron:
+        return 8.5;
+      default:
+        return 1;
+    }
   }
 
   /// Some corners of stretched quadrilaterals are sharp because of the boundary's shape, e.g. at a
@@ -237,16 +295,18 @@ class Field {
     field.weight[at(e)] = 1 + more * held;
   }
 
-  double stretched_part(const std::vector<double>& share) const {
+  double stretched_part(const StretchField& field) const {
     constexpr double twice_as_long = 0.35;
     std::size_t count = 0;
-    for (std::size_t e = 0; e < share.size(); ++e)
-      count += share[e] > 0.5 && stretch_[e] > twice_as_long ? 1 : 0;
-    return share.empty() ? 0 : static_cast<double>(count) / static_cast<double>(share.size());
+    for (Index e = 0; e < topology_.element_count(); ++e) {
+      const double own = stretch_[at(e)];
+      count += own > twice_as_long && kept_stretch(e, field, own) > 0.5 * own ? 1 : 0;
+    }
+    return stretch_.empty() ? 0 : static_cast<double>(count) / static_cast<double>(stretch_.size());
   }
 
-  /// Spreads the shares by one row: each share rises to the mean of the surrounding shares, or
-  /// stays.
+  /// Spreads the shares by one row: each share of a simplex rises to the mean of the surrounding
+  /// shares, or stays. Those of other elements are smooth.
   void spread(std::vector<double>& share) const {
     std::vector<double> at_node(at(topology_.node_count()), 0.0);
     parallel_for(threads_, topology_.node_count(), [&](Index begin, Index end) {
@@ -257,6 +317,7 @@ class Field {
       }
     });
     for_each_element([&](Index e) {
+      if (!is_simplex(e)) return;
       double mean = 0;
       const auto nodes = topology_.element(e);
       for (const Index node : nodes) mean += at_node[at(node)];
@@ -266,6 +327,7 @@ class Field {
   }
 
   const Topology& topology_;
+  const Coordinates& given_;
   int threads_;
   bool is_of_one_type_ = true;
   std::vector<double> stretch_;  // #elements

@@ -53,6 +53,12 @@ class TargetBuilder {
     const double longest = stretch_.longest[at(e)];
     return stretch_.share[at(e)] * (stretch > longest ? longest / stretch : 1);
   }
+  /// Side lengths, along the axes of an element, of the box that takes the place of its regular
+  /// shape (BoxField); empty: none does.
+  std::optional<Vec3> box(Index e) const {
+    if (stretch_.sides.empty() || stretch_.sides[at(e)].isZero(0)) return std::nullopt;
+    return stretch_.sides[at(e)].array().exp().matrix();
+  }
   bool has_own_share(Index e) const { return stretch_.share[at(e)] != 0; }
   /// Finds the elements without a shape, and returns their number. If more than one in twenty has
   /// none, the mesh has no shape to keep: all are lost.
@@ -155,17 +161,23 @@ class FaceTargets : TargetBuilder {
   /// Adds the metrics of a corner of the regular element, and of one that keeps its stretch by the
   /// StretchField, times their shares.
   void add_regular(TargetMetric& metric, const TargetBlend& blend,
-                   const std::array<Index, 3>& nodes, Index e) const {
+                   const std::array<Index, 3>& nodes, std::size_t corner, Index e) const {
     const double angle = topology_.element_type(e) == ElementType::triangle ? pi / 3 : pi / 2;
     const TargetMetric regular = TargetMetric::of_angle(angle);
     metric.add(blend.element, regular);
     if (blend.automatic == 0) return;
     const auto own = own_metric(nodes, e);
-    metric.add(blend.automatic, own ? automatic(e, regular, *own) : regular);
+    metric.add(blend.automatic, own ? automatic(e, corner, regular, *own) : regular);
   }
 
-  TargetMetric automatic(Index e, const TargetMetric& regular, const TargetMetric& own) const {
-    return between(regular, own, own_share(e, 0.5 * stretch_between(regular, own)));
+  TargetMetric automatic(Index e, std::size_t corner, const TargetMetric& regular,
+                         const TargetMetric& own) const {
+    const double share = own_share(e, 0.5 * stretch_between(regular, own));
+    const auto sides = box(e);
+    if (!sides) return between(regular, own, share);
+    const int first = static_cast<int>(corner % 2);  // the axis along the edge to the next corner
+    const Vec2 next((*sides)[first], 0), previous(0, (*sides)[1 - first]);
+    return between(TargetMetric::of<2>(next, previous), own, share);
   }
 
   /// Adds the VCV metric of the corner at a free node, times the share. A VCV of two edges has
@@ -255,7 +267,7 @@ class FaceTargets : TargetBuilder {
   TargetMetric common_metric(const TargetBlend& blend, const std::array<Index, 3>& first,
                              Index e) const {
     TargetMetric common;
-    add_regular(common, blend, first, e);
+    add_regular(common, blend, first, 0, e);
     add_rest(common, first, e);
     return common;
   }
@@ -319,7 +331,7 @@ class FaceTargets : TargetBuilder {
       const bool follows = !own && topology_.on_boundary(nodes[0]) && any_edited(element);
       const TargetBlend& blend = own ? blend_ : follows ? edited_blend_ : blend_at(nodes[0]);
       TargetMetric metric;
-      add_regular(metric, blend, nodes, e);
+      add_regular(metric, blend, nodes, k, e);
       if (blend.keep > 0) metric.add(blend.keep, own_or(TargetMetric::of_angle(pi / 2), nodes, e));
       if (follows) {
         add_parallelogram(metric, e, k);
@@ -468,7 +480,7 @@ class VolumeTargets : TargetBuilder {
       fill_kept(cell, regular);
       return;
     }
-    const Eigen::Matrix3d common = common_part(e, regular, nodes);
+    const Eigen::Matrix3d common = common_part(e, corner, regular, nodes);
     const auto at_node = [&](std::size_t k, double share) {
       const double vcv = vcv_share(e, nodes[k]);
       const Eigen::Matrix3d others = by_hand(e, nodes[k]) ? rest_part(nodes) : common;
@@ -520,22 +532,41 @@ class VolumeTargets : TargetBuilder {
   }
 
   /// The part of a target without VCVs: metrics times their shares.
-  Eigen::Matrix3d common_part(Index e, const Eigen::Matrix3d& regular,
+  Eigen::Matrix3d common_part(Index e, int corner, const Eigen::Matrix3d& regular,
                               const std::array<Index, 4>& nodes) const {
     Eigen::Matrix3d sum = blend_.element * regular;
     if (!given_) return sum;
     const auto own = own_metric(nodes);
     if (blend_.automatic > 0)
-      sum += blend_.automatic * (own ? automatic(e, regular, *own) : regular);
+      sum += blend_.automatic * (own ? automatic(e, corner, regular, *own) : regular);
     if (blend_.rest > 0) sum += blend_.rest * *own;
     return sum;
   }
 
-  Eigen::Matrix3d automatic(Index e, const Eigen::Matrix3d& regular,
+  Eigen::Matrix3d automatic(Index e, int corner, const Eigen::Matrix3d& regular,
                             const Eigen::Matrix3d& own) const {
-    if (!has_own_share(e)) return regular;
+    const auto sides = box(e);
+    if (!has_own_share(e)) return sides ? box_metric(e, corner, *sides) : regular;
     const RelativeMetric relative(regular, own);
-    return relative.between(own_share(e, 0.5 * relative.stretch()));
+    const double share = own_share(e, 0.5 * relative.stretch());
+    return sides ? RelativeMetric(box_metric(e, corner, *sides), own).between(share)
+                 : relative.between(share);
+  }
+
+  /// Metric of a corner of the box with these sides. corner: as Origin::corner.
+  Eigen::Matrix3d box_metric(Index e, int corner, const Vec3& sides) const {
+    const ElementType type = topology_.element_type(e);
+    const auto corners = corner_tetrahedra(type);
+    const auto& nodes = at(corner) < corners.size()
+                            ? corners[at(corner)]
+                            : edge_tetrahedra(type)[at(corner) - corners.size()];
+    const auto places = regular_corners(type);
+    const auto place = [&](std::size_t k) {
+      return sides.cwiseProduct(Vec3(places[at(nodes[k])].data())).eval();
+    };
+    Edges3 edges;
+    for (int k = 0; k < 3; ++k) edges.col(k) = place(at(k + 1)) - place(0);
+    return volume_metric(edges);
   }
 
   /// The `rest` part of a target.

@@ -9,7 +9,7 @@ namespace winslow {
 
 namespace {
 
-constexpr double changed_share = 0.05, grossly_changed = 0.2, sine_kept = 0.5;
+constexpr double changed_share = 0.05, grossly_changed = 0.2;
 
 std::string number(const char* format, double value) {
   char text[40];
@@ -43,7 +43,7 @@ void describe_heights(const Mesh& before, const Mesh& after, Damage& damage) {
 }
 
 void describe_sine(double before, double after, const Mesh& mesh, Damage& damage) {
-  if (after >= sine_kept * before) return;
+  if (after >= least_sine_kept * before) return;
   const Index worst = worst_element(mesh, Metric::normalized_jacobian);
   damage.element = worst;
   damage.text +=

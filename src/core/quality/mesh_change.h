@@ -44,9 +44,12 @@ struct Damage {
   std::optional<Index> element;  ///< the element with the smallest sine, if that has fallen
 };
 
-/// Damage is a change of first heights that spoils_walls(), or a smallest sine less than half of
-/// the one before. There is no damage if one of the meshes has inverted elements, or if they have
-/// different topologies.
+/// Share of the smallest sine that a run leaves at least, or else it has done damage.
+inline constexpr double least_sine_kept = 0.9;
+
+/// Damage is a change of first heights that spoils_walls(), or a smallest sine (of volumes, scaled
+/// Jacobian) less than least_sine_kept times the one before. There is no damage if one of the
+/// meshes has inverted elements, or if they have different topologies.
 Damage find_damage(const Mesh& before, const Mesh& after);
 
 /// A motion that ends before an element becomes worse than a limit:

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/formulation/box_field.h"
 #include "core/geometry/boundary_kinds.h"
 #include "core/geometry/surface_features.h"
 #include "core/motion/contact.h"
@@ -144,6 +145,12 @@ bool move_from(const MeshState& state, const Motion& motion, const Coordinates& 
   return true;
 }
 
+/// The smallest normalized Jacobian; 0 of a mesh with inverted elements.
+double worst_of(const SmoothingWorkspace& workspace, const Coordinates& mesh) {
+  const Validity found = workspace.validity(mesh);
+  return found.inverted > 0 ? 0 : found.min_sine;
+}
+
 /// Prevents smoothing in place from making a mesh worse: elements that end below the worst of the
 /// mesh as given get a larger weight, and the mesh is solved for again. The result is the mesh with
 /// the best worst element.
@@ -154,14 +161,10 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
   const SmoothOptions& options = workspace.options();
   if (options.formulation != Formulation::variational || options.targets.automatic == 0) return;
   const Topology& topology = *state.mesh.topology;
-  const auto worst_of = [&](const Coordinates& mesh) {
-    const Validity found = workspace.validity(mesh);
-    return found.inverted > 0 ? 0 : found.min_sine;
-  };
-  const double enough = worst_of(state.mesh.coordinates) - rounding;
+  const double enough = worst_of(workspace, state.mesh.coordinates) - rounding;
   SmoothResult& result = recorder.result();
   Coordinates best = x;
-  double best_worst = worst_of(best), best_residual = result.residual;
+  double best_worst = worst_of(workspace, best), best_residual = result.residual;
   std::vector<Index> urgent;
   for (int round = 0; round < rounds && best_worst < enough; ++round) {
     const auto sines = element_values({state.mesh.topology, x}, Metric::normalized_jacobian,
@@ -171,7 +174,7 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
     workspace.count_more(urgent);
     make_newton_run(state, workspace, recorder)->smooth(x, 1, nullptr);
     if (!result.converged) break;
-    const double worst = worst_of(x);
+    const double worst = worst_of(workspace, x);
     if (worst <= best_worst) continue;
     best = x;
     best_worst = worst;
@@ -183,6 +186,23 @@ void keep_above_worst(const MeshState& state, SmoothingWorkspace& workspace, Run
   result.converged = true;
   result.out_of_iterations = false;
   result.inverted = 0;
+}
+
+/// If smoothing in place has lowered the worst element so far that it counts as damage, raises it
+/// to where it was, or as far as a few rounds can: with targets that do not suit the mesh no number
+/// of rounds would. Smaller losses stay, so that the solution does not depend on the mesh as given.
+/// So do those of simplices, in which edges count as well as angles.
+void recover_worst(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder,
+                   Coordinates& x) {
+  constexpr int rounds = 10;
+  if (workspace.options().formulation != Formulation::variational) return;
+  bool right_angled = false;
+  for (Index e = 0; e < state.mesh.topology->element_count() && !right_angled; ++e)
+    right_angled = has_box(state.mesh.topology->element_type(e));
+  if (!right_angled) return;
+  const double enough = worst_of(workspace, state.mesh.coordinates);
+  if (worst_of(workspace, x) >= least_sine_kept * enough) return;
+  raise_worst_element(workspace, recorder, 1, x, {.enough = enough, .rounds = rounds});
 }
 
 /// The result of a motion that has to be complete and cannot be: it is not begun.
@@ -289,7 +309,10 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& asked,
   follow_with_vcvs(state, workspace, recorder, x);
   if (by_fixed_point(options)) return result;
   if (result.converged && run.never_worse) keep_above_worst(state, workspace, recorder, x);
-  if (options.raise_worst) raise_worst_element(workspace, recorder, 1, x);
+  if (options.raise_worst)
+    raise_worst_element(workspace, recorder, 1, x);
+  else if (result.converged && run.never_worse)
+    recover_worst(state, workspace, recorder, x);
   result.stretched = stretched(workspace);
   return result;
 }

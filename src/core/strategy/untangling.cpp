@@ -145,7 +145,7 @@ class Progress {
 }  // namespace
 
 void raise_worst_element(SmoothingWorkspace& workspace, RunRecorder& recorder, double fraction,
-                         Coordinates& x) {
+                         Coordinates& x, const RaiseLimits& limits) {
   constexpr int steps = 3;                  // Newton steps per round
   constexpr double closer = 0.5, away = 3;  // factors of the bound's distance, per round
   constexpr double farthest = 2;            // bound, in largest distortions
@@ -158,6 +158,7 @@ void raise_worst_element(SmoothingWorkspace& workspace, RunRecorder& recorder, d
   Coordinates best = x;
   double best_sine = workspace.validity(x).min_sine, bound = farthest * worst;
   Progress progress;
+  int round = 0;
   do {
     energy = energy->with_penalty({.exponent = 1, .knee = 0, .bound = bound});
     newton.set_problem(energy);
@@ -175,7 +176,8 @@ void raise_worst_element(SmoothingWorkspace& workspace, RunRecorder& recorder, d
     const bool free = !newton.stalled() && last.damping > short_step;
     bound = worst + (free ? closer : away) * (bound - worst);
     bound = std::min(bound, farthest * worst);
-  } while (recorder.remaining() > 0 && progress.worthwhile(worst));
+  } while (++round < limits.rounds && best_sine < limits.enough && recorder.remaining() > 0 &&
+           progress.worthwhile(worst));
   x = std::move(best);
   recorder.restore_outcome(outcome);
 }

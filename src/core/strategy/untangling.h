@@ -35,6 +35,12 @@ class Untangling {
   bool tried_energy_ = false;
 };
 
+/// When raise_worst_element() may stop, besides its own rule.
+struct RaiseLimits {
+  double enough = 2;  ///< minimum of the normalized Jacobian; no mesh has the default
+  int rounds = std::numeric_limits<int>::max();
+};
+
 /// Improves the worst element of a valid mesh as far as possible: minimises the largest distortion
 /// f of any cell from its target. For right-angled corners only the angles count
 /// (VariationalForm::with_corner_lengths()).
@@ -49,6 +55,6 @@ class Untangling {
 /// stretched rate meshes differently. The convergence data in the result stay those of the initial
 /// mesh.
 void raise_worst_element(SmoothingWorkspace& workspace, RunRecorder& recorder, double fraction,
-                         Coordinates& x);
+                         Coordinates& x, const RaiseLimits& limits = {});
 
 }  // namespace winslow

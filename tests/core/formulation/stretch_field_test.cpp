@@ -12,8 +12,10 @@
 #include "core/formulation/variational_winslow.h"
 #include "core/mesh/mesh.h"
 #include "support/formulations.h"
+#include "support/layered_meshes.h"
 #include "support/meshes.h"
 #include "support/random.h"
+#include "support/space_meshes.h"
 
 using namespace winslow;
 using namespace winslow::test;
@@ -37,6 +39,37 @@ double stretch_by_svd(const Vec2& m1, const Vec2& m2, double angle) {
   const Eigen::Vector2d s =
       Eigen::JacobiSVD<Eigen::Matrix2d>(own * regular.inverse()).singularValues();
   return 0.5 * std::log(s[0] / s[1]);
+}
+
+/// Interior nodes moved by up to `reach` of the shortest edge at each.
+Mesh jittered(Mesh mesh, double reach, std::uint64_t seed) {
+  const Coordinates given = mesh.coordinates;
+  Random random(seed);
+  for (const Index node : mesh.topology->interior_nodes()) {
+    const Vec3 p = place_of(given, node);
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Index other : mesh.topology->neighbours(node))
+      shortest = std::min(shortest, (place_of(given, other) - p).norm());
+    mesh.coordinates.set_place(node, p + reach * shortest * random_vector(random));
+  }
+  return mesh;
+}
+
+double worst_of(const Mesh& mesh) {
+  return check_validity(*mesh.topology, mesh.coordinates).min_sine;
+}
+
+CommandResult smoothed(const Mesh& mesh) {
+  SmoothCommand command;
+  command.smooth.threads = 1;
+  return execute(command, make_state(mesh));
+}
+
+/// Layers around an ellipse that begin at 1e-4 of it.
+std::vector<double> layer_distances() {
+  std::vector<double> distance{0};
+  for (int k = 0; k < 16; ++k) distance.push_back(distance.back() + 1e-4 * std::pow(1.5, k));
+  return distance;
 }
 
 /// An interior node, and an element of which it is a corner that is moved so close to the opposite
@@ -90,7 +123,7 @@ TEST_CASE("isotropic triangles become regular; those stretched alike keep their 
   CHECK(energy.worst_distortion(stretched.coordinates) == doctest::Approx(1));
 }
 
-TEST_CASE("quadrilaterals keep their shapes, stretched or not") {
+TEST_CASE("quadrilaterals of a regular grid keep their shapes, stretched or not") {
   for (const double factor : {1.0, 1.5, 1000.0}) {
     const Mesh mesh = drawn_out(square(10, Cells::quads), factor);
     const VirtualControlVolumes vcv(mesh.topology);
@@ -183,4 +216,66 @@ TEST_CASE("layers at a wall keep their heights where the passage before it becom
   for (Index j = 0; j < sectors; ++j)
     least = std::min(least, (x.xy(sectors + j) - x.xy(j)).norm() / first);
   CHECK(least > 0.98);  // 0.61 if all elements counted the same
+}
+
+TEST_CASE("jittered squares and cubes become squares and cubes") {
+  for (const std::uint64_t seed : {1, 2}) {
+    CAPTURE(seed);
+    const Mesh squares = jittered(make_mesh(square(12, Cells::quads)), 0.3, seed);
+    REQUIRE(worst_of(squares) < 0.8);
+    CHECK(worst_of(smoothed(squares).state.mesh) > 0.98);
+    const Mesh cubes = jittered(make_mesh(cube(6, Volumes::hexahedra)), 0.25, seed);
+    REQUIRE(worst_of(cubes) < 0.75);
+    CHECK(worst_of(smoothed(cubes).state.mesh) > 0.97);
+  }
+}
+
+TEST_CASE("an O-grid with boundary layers stays as it is") {
+  const Mesh mesh = make_mesh(o_grid(80, layer_distances(), Cut::none, 0.1));
+  const CommandResult result = smoothed(mesh);
+  REQUIRE(result.smooth.converged);
+  CHECK(worst_of(result.state.mesh) >= worst_of(mesh) - 1e-9);
+  const auto change =
+      compare_first_heights(measure_walls(mesh).walls, measure_walls(result.state.mesh).walls);
+  REQUIRE(change);
+  CHECK(change->ratio.min > 0.999);
+  CHECK(change->ratio.max < 1.001);
+  CHECK(*result.smooth.stretched > 0.6);
+}
+
+TEST_CASE("a jittered O-grid loses its jitter and keeps its layers") {
+  const Mesh regular = make_mesh(o_grid(80, layer_distances(), Cut::none, 0.5));
+  const Mesh mesh = jittered(regular, 0.3, 4);
+  const CommandResult result = smoothed(mesh);
+  REQUIRE(result.smooth.converged);
+  CHECK(worst_of(mesh) < 0.9);
+  CHECK(worst_of(result.state.mesh) > worst_of(mesh) + 0.05);
+  const auto off = [&](const Mesh& other) {
+    const auto change =
+        compare_first_heights(measure_walls(regular).walls, measure_walls(other).walls);
+    REQUIRE(change);
+    CHECK(change->ratio.median == doctest::Approx(1).epsilon(0.05));
+    return change->ratio.high - change->ratio.low;
+  };
+  const double before = off(mesh), after = off(result.state.mesh);
+  CHECK(after < 0.65 * before);
+}
+
+TEST_CASE("pyramids keep their shapes beside tetrahedra that do not") {
+  const Mesh mesh = jittered(make_mesh(cube(5, Volumes::mixed)), 0.2, 5);
+  const StretchField field = stretch_field(*mesh.topology, mesh.coordinates, 1);
+  const Mesh after = smoothed(mesh).state.mesh;
+  const auto before_values = element_values(mesh, Metric::normalized_jacobian);
+  const auto after_values = element_values(after, Metric::normalized_jacobian);
+  double before_sum = 0, after_sum = 0;
+  for (Index e = 0; e < mesh.topology->element_count(); ++e) {
+    if (mesh.topology->element_type(e) == ElementType::hexahedron)
+      CHECK(field.stiffness[at(e)] >= 8.5);
+    if (mesh.topology->element_type(e) != ElementType::pyramid) continue;
+    CHECK(field.stiffness[at(e)] >= 30);
+    before_sum += before_values[at(e)];
+    after_sum += after_values[at(e)];
+  }
+  REQUIRE(before_sum > 0);
+  CHECK(after_sum > 0.97 * before_sum);
 }

@@ -233,6 +233,16 @@ TEST_CASE("damage is named with its figures and its place, and only where there 
   const auto corners = after.topology->element(*found.element);
   CHECK(std::ranges::find(corners, node) != corners.end());
   CHECK(damage.starts_with("the smallest sine fell from "));
+  // From a tenth on. The angle by which edges lean grows with the way.
+  const double given = check_validity(*before.topology, before.coordinates).min_sine;
+  for (const double way : {0.005, 0.01, 0.015, 0.02, 0.03}) {
+    CAPTURE(way);
+    after.coordinates.set_xy(node, radius * Vec2(std::cos(way), std::sin(way)));
+    const double left = check_validity(*after.topology, after.coordinates).min_sine / given;
+    CHECK(find_damage(before, after).text.empty() == (left >= 0.9));
+    if (way == 0.005) CHECK(left > 0.9);
+    if (way == 0.03) CHECK(left < 0.9);
+  }
   Mesh tangled = before;
   tangled.coordinates.set_xy(node, Vec2(0, 0));
   CHECK(find_damage(before, tangled).text.empty());

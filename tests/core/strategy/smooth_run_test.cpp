@@ -179,6 +179,32 @@ TEST_CASE("smoothing in place keeps the worst element of the mesh as given") {
   CHECK(worst_of(kept.state.mesh.coordinates) > worst - 1e-5);
 }
 
+TEST_CASE("regular targets do not leave the worst element below that of the mesh as given") {
+  const MeshState given = make_state(make_mesh(annulus(24, 6, 1.3, Cells::quads)));
+  MoveCommand turn;
+  turn.bodies[0].markers = {"inner"};
+  turn.bodies[0].motion.translate = {1.8, 0};
+  turn.smooth.raise_worst = true;
+  const MeshState best = execute(turn, given).state;
+  const auto worst_of = [&](const Coordinates& x) {
+    return check_validity(*best.mesh.topology, x).min_sine;
+  };
+  const double worst = worst_of(best.mesh.coordinates);
+  SmoothCommand regular;
+  regular.smooth.targets = TargetBlend::regular();
+  regular.smooth.penalty = {1, 0};  // hardly minds the worst elements
+  Coordinates x = best.mesh.coordinates;
+  const SmoothResult alone = smooth_interior(best, regular.smooth, x, {});
+  REQUIRE(alone.converged);
+  REQUIRE(worst_of(x) < 0.9 * worst);
+  const CommandResult raised = execute(regular, best);
+  CHECK(raised.smooth.converged);
+  CHECK(raised.smooth.residual == alone.residual);
+  CHECK(raised.smooth.history.back().stage == Stage::worst);
+  CHECK(raised.smooth.outer_iterations <= alone.outer_iterations + 30);
+  CHECK(worst_of(raised.state.mesh.coordinates) > 0.5 * (worst_of(x) + worst));
+}
+
 /// The boundary of a volume mesh before its interior.
 namespace winslow::test {
 namespace {

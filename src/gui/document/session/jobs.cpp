@@ -225,7 +225,9 @@ void Jobs::keep(JobRunner::Outcome outcome) {
 
 void Jobs::tell_finished(const std::string& what, const SmoothResult& smooth) {
   if (smooth.outer_iterations == 0) {
-    messages_.tell(Notice::Kind::success, what);
+    const bool no_need = smooth.converged && smooth.stretched && smooth.fraction_reached == 1;
+    messages_.tell(Notice::Kind::success,
+                   what + (no_need ? ": the elements have the shapes of their targets" : ""));
   } else if (smooth.inverted > 0 || !smooth.converged) {
     messages_.tell(Notice::Kind::warning,
                    what + ": ended after " + counted(smooth.outer_iterations, "iteration"));
