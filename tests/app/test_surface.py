@@ -143,7 +143,7 @@ class Surface(ProgramTest):
         fine, of_fine = surfaces.sphere(30)
         self.path("shapes").mkdir()
         write_obj(self.path("shapes/fine.obj"), [bumps(p) for p in fine], of_fine)
-        report = self.smooth("--reference", "shapes/fine.obj", "--save-recipe", "shapes/p.json")
+        report = self.smooth("--reference-surface", "shapes/fine.obj", "--save-recipe", "shapes/p.json")
         self.assertTrue(report["commands"][0]["converged"])
         self.assertEqual(report["inverted"], 0)
         self.assertIn("of fine.obj", report["commands"][0]["sliding"][0]["on"])
@@ -151,7 +151,7 @@ class Surface(ProgramTest):
             on = norm(bumps(tuple(value / norm(p) for value in p)))
             self.assertAlmostEqual(norm(p), on, delta=2e-4)
         # A recipe that is written to the working folder names it from there.
-        self.smooth("--reference", "shapes/fine.obj", "--save-recipe", "here.json")
+        self.smooth("--reference-surface", "shapes/fine.obj", "--save-recipe", "here.json")
         self.assertEqual(self.json("here.json")["commands"][0]["smooth"]["slide"]["reference"],
                          "shapes/fine.obj")
         # The recipe names the file from its own folder, and can be moved together with it.
@@ -163,10 +163,10 @@ class Surface(ProgramTest):
 
     def test_a_reference_that_cannot_be_read_is_named(self):
         write_obj(self.path("in.obj"), *surfaces.sphere(3))
-        run = self.winslow("smooth", "in.obj", "-o", "out.obj", "--reference", "none.stl", code=INPUT)
+        run = self.winslow("smooth", "in.obj", "-o", "out.obj", "--reference-surface", "none.stl", code=INPUT)
         self.assertIn("none.stl", run.stderr)
         self.path("bad.obj").write_text("v 0 0 0\nv 1 0 zero\n")
-        run = self.winslow("smooth", "in.obj", "-o", "out.obj", "--reference", "bad.obj", code=INPUT)
+        run = self.winslow("smooth", "in.obj", "-o", "out.obj", "--reference-surface", "bad.obj", code=INPUT)
         self.assertIn("bad.obj:2:", run.stderr)
         self.assertFalse(self.path("out.obj").exists())
 

@@ -103,10 +103,23 @@ void copy_pivots(std::vector<MovingBody>& own, const std::vector<MovingBody>& wh
   }
 }
 
+/// Gives a zone its reference mesh: the zone of the same number of that file.
+void add_reference(const JobFiles& files, ZoneRun& zone) {
+  const io::MeshFile reference = io::read_mesh(files.reference_mesh, {.zone = zone.number()});
+  try {
+    zone.result = with_reference(std::move(zone.result), reference.mesh);
+  } catch (const UsageError& error) {
+    throw UsageError(files.reference_mesh + ": " + error.what());
+  }
+}
+
 /// Applies the commands to all zones in order. A body in several zones turns about one common
 /// pivot, found at its current position.
 void apply(const EditJob& job, std::vector<ZoneRun>& zones, RunReport& run) {
-  for (ZoneRun& zone : zones) zone.result = make_state(zone.source.mesh);
+  for (ZoneRun& zone : zones) {
+    zone.result = make_state(zone.source.mesh);
+    if (!job.files.reference_mesh.empty()) add_reference(job.files, zone);
+  }
   ProgressMonitor monitor(!job.files.quiet && terminal_attached());
   std::vector<std::vector<CommandRecord>> records(zones.size());
   for (std::size_t k = 0; k < job.commands.size(); ++k) {
@@ -188,8 +201,11 @@ void write_recipe(const EditJob& job) {
   const auto relative = [&](const std::string& path) {
     return fs::proximate(fs::absolute(path), folder).generic_string();
   };
-  io::write_recipe(recipe, {relative(job.files.input), relative(job.files.output), job.commands,
-                            job.files.zone});
+  io::Recipe written{relative(job.files.input), relative(job.files.output), job.commands,
+                     job.files.zone};
+  if (!job.files.reference_mesh.empty())
+    written.reference_mesh = relative(job.files.reference_mesh);
+  io::write_recipe(recipe, written);
 }
 
 /// Writes mesh, history and recipe; the report comes last, since it holds the times of the other
@@ -251,6 +267,10 @@ bool has_target_shapes(const SmoothResult& result) {
 void print_commands(const RunReport& run) {
   for (const CommandRecord& c : run.commands) {
     std::cout << printable(c.description) << ": ";
+    if (c.result.nothing_moves) {
+      std::cout << "nothing moves, the mesh stays as it is\n";
+      continue;
+    }
     if (c.result.outer_iterations == 0) {
       std::cout << (c.result.fraction_reached < 1 ? "not begun" : "done");
       if (has_target_shapes(c.result))
@@ -264,6 +284,9 @@ void print_commands(const RunReport& run) {
     if (c.result.stretched)
       std::cout << ", " << std::lround(100 * *c.result.stretched)
                 << " % of the elements kept stretched";
+    if (c.result.without_shape > 0)
+      std::cout << ", " << c.result.without_shape
+                << " elements had no shape to keep and were made regular";
     std::size_t sliding = 0, held = 0;
     for (const SlidingPart& part : c.result.boundary.sliding) {
       if (!part.of_regions) sliding += part.sliding_nodes();

@@ -43,6 +43,13 @@ void add_job_flags(CLI::App& app, JobFiles& files) {
   add_quiet_flag(app, files.quiet);
 }
 
+void add_reference_mesh_flag(CLI::App& app, JobFiles& files) {
+  FlagGroup(app, "Motion")
+      .value("--reference-mesh", files.reference_mesh, "FILE",
+             "Mesh of the same connectivity whose element shapes targets keep, auto and rest refer "
+             "to, in place of IN: the mesh before the first of several runs from file to file");
+}
+
 void add_recipe_flag(CLI::App& app, JobFiles& files) {
   FlagGroup(app, "Output")
       .value("--save-recipe", files.save_recipe, "FILE.json",

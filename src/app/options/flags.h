@@ -53,7 +53,8 @@ class FlagGroup {
 /// Files and output options of a job that changes a mesh.
 struct JobFiles {
   std::string input;
-  int zone = 0;  ///< zone of the input; 0: all zones
+  int zone = 0;                ///< zone of the input; 0: all zones
+  std::string reference_mesh;  ///< whose shapes motions keep; empty: the input
   std::string output;
   std::string report;       ///< JSON; empty: none
   std::string history;      ///< CSV; empty: none
@@ -70,6 +71,8 @@ void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
 /// Declares --zone, -o, --report, --history, --allow-inverted, --accept-partial, --quiet and those
 /// of add_encoding_flags.
 void add_job_flags(CLI::App& app, JobFiles& files);
+/// Declares --reference-mesh.
+void add_reference_mesh_flag(CLI::App& app, JobFiles& files);
 /// Declares --save-recipe.
 void add_recipe_flag(CLI::App& app, JobFiles& files);
 /// Declares --binary, --ascii, --gmsh-version, --cgns-container.

@@ -1,6 +1,7 @@
 #include <cctype>
 
 #include "app/options/flags.h"
+#include "app/output/terminal.h"
 #include "core/command/option_tables.h"
 #include "core/error.h"
 
@@ -337,6 +338,13 @@ void set_limit(QualityFloor& floor, const std::string& word) {
 
 void add_smooth_flags(CLI::App& app, SmoothOptions& options) {
   add_option_flags(app, option_table(options), "Smoothing");
+  app.add_option_function<std::string>(
+         "--reference",
+         [&options](const std::string& file) {
+           options.slide.reference = file;
+           print_warnings({"--reference is now called --reference-surface"});
+         })
+      ->group("");  // an earlier name, not shown in the help
 }
 
 void add_min_quality_flag(CLI::App& app, QualityFloor& floor) {

@@ -37,6 +37,7 @@ class EditSubcommand : public Subcommand {
       add_direct_flag(app(), command_.how);
       add_min_quality_flag(app(), command_.how.floor);
       add_hold_layers_flag(app(), held_);
+      add_reference_mesh_flag(app(), files_);
     }
   }
 
@@ -197,6 +198,7 @@ class ReplaySubcommand : public Subcommand {
     group.value("--input", files_.input, "IN", "Mesh to start from instead of the recipe's");
     threads_flag_ = group.value_as("--threads", threads_, "N", "Threads; 0 for all cores")
                         ->check(CLI::Range(0, 4096));
+    add_reference_mesh_flag(app(), files_);
     add_job_flags(app(), files_);
   }
 
@@ -210,6 +212,8 @@ class ReplaySubcommand : public Subcommand {
       files_.output = (folder / recipe.output).string();
     }
     if (files_.zone == 0) files_.zone = recipe.zone;
+    if (files_.reference_mesh.empty() && !recipe.reference_mesh.empty())
+      files_.reference_mesh = (folder / recipe.reference_mesh).string();
     if (files_.input.empty()) {
       throw UsageError(recipe_ + " names no mesh to start from: give one with --input IN");
     }

@@ -108,6 +108,8 @@ class VariationalForm : public NodeProblem<UntanglingProblem> {
   virtual std::unique_ptr<const TargetPath> target_path(const Coordinates& from) const = 0;
   /// CellTargets::stretched.
   virtual std::optional<double> stretched() const = 0;
+  /// CellTargets::without_shape.
+  virtual Index without_shape() const = 0;
 
  protected:
   VariationalForm(NodeUnknowns nodes, const PenaltyOptions& penalty)
@@ -136,6 +138,7 @@ class TargetForm : public VariationalForm {
   std::shared_ptr<const TargetForm> with_shapes(std::shared_ptr<const Targets> shapes) const;
   const Targets& shapes() const { return *shapes_; }
   std::optional<double> stretched() const final { return shapes_->stretched; }
+  Index without_shape() const final { return shapes_->without_shape; }
   bool has_guards() const final { return !shapes_->inverse_limits.empty(); }
 
   double energy(const Coordinates& x) const final { return energy_of(x, nullptr); }

@@ -65,6 +65,10 @@ inline std::shared_ptr<const Coordinates> reference_of(const MeshState& state) {
   return state.reference ? state.reference
                          : std::make_shared<const Coordinates>(state.mesh.coordinates);
 }
+/// The state with another reference mesh, e.g. the mesh before the first of several runs from file
+/// to file. Throws UsageError, naming the first difference, unless both meshes have the same nodes,
+/// elements and markers in the same order.
+MeshState with_reference(MeshState state, const Mesh& reference);
 
 /// A state with the paper's VCVs of a plane or surface mesh: equal angles, unit edges.
 inline MeshState make_state(Mesh mesh) {

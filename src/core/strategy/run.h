@@ -138,6 +138,7 @@ struct SmoothResult : RunOutcome {
   int linear_solves = 0;
   /// Fraction of the elements (0 to 1) that `auto` targets keep stretched; none for other targets.
   std::optional<double> stretched;
+  Index without_shape = 0;      ///< elements that had no shape for `keep` targets: made regular
   MovingBoundary boundary;      ///< how nodes of the boundary slid or were paired
   Index kept_outside = 0;       ///< interior nodes that SmoothOptions::keep_outside fixed
   Index prescribed_inside = 0;  ///< interior nodes that the motion takes

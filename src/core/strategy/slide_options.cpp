@@ -61,7 +61,7 @@ OptionTable sliding_rows(SlideOptions& slide) {
                "surface of the mesh as given; they are put onto it first",
        .advice = "Where the mesh is coarser than the shape that it stands for, or tangled.",
        .object = "slide",
-       .flag = "reference",
+       .flag = "reference-surface",
        .applies = !slide.reference.empty()},
   };
 }

@@ -292,6 +292,25 @@ std::optional<double> stretched(SmoothingWorkspace& workspace) {
 
 }  // namespace
 
+/// The number of elements that have no shape of their own to keep.
+Index without_shape(SmoothingWorkspace& workspace) {
+  if (workspace.options().formulation != Formulation::variational) return 0;
+  return workspace.energy()->without_shape();
+}
+
+/// Raises the worst element. Targets that keep shapes rate an element by its change, so `auto` ones
+/// take their place.
+void raise_worst(const MeshState& state, const std::shared_ptr<const NodeClasses>& classes,
+                 SmoothingWorkspace& workspace, RunRecorder& recorder, double fraction,
+                 Coordinates& x) {
+  SmoothOptions options = workspace.options();
+  if (options.targets.keep > 0) {
+    options.targets = TargetBlend::automatically();
+    workspace.prepare(state, classes, options, state.reference);
+  }
+  raise_worst_element(workspace, recorder, fraction, x);
+}
+
 SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& asked, Coordinates& x,
                              const RunOptions& run) {
   SmoothResult result;
@@ -300,8 +319,8 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& asked,
   SolverCache own;
   SmoothingWorkspace& workspace = (run.cache ? *run.cache : own).workspace();
   CurveRows none;
-  workspace.prepare(state, classes_of(state, nullptr, options, run, result, none), options,
-                    options.targets.keep > 0 ? state.reference : nullptr);
+  const auto classes = classes_of(state, nullptr, options, run, result, none);
+  workspace.prepare(state, classes, options, options.targets.keep > 0 ? state.reference : nullptr);
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes,
                                    result.boundary.interfaces, x);
   RunRecorder recorder(run.monitor, result, budget(options));
@@ -309,11 +328,12 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& asked,
   follow_with_vcvs(state, workspace, recorder, x);
   if (by_fixed_point(options)) return result;
   if (result.converged && run.never_worse) keep_above_worst(state, workspace, recorder, x);
+  result.stretched = stretched(workspace);
+  result.without_shape = without_shape(workspace);
   if (options.raise_worst)
-    raise_worst_element(workspace, recorder, 1, x);
+    raise_worst(state, classes, workspace, recorder, 1, x);
   else if (result.converged && run.never_worse)
     recover_worst(state, workspace, recorder, x);
-  result.stretched = stretched(workspace);
   return result;
 }
 
@@ -326,8 +346,8 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
   SolverCache own;
   SmoothingWorkspace& workspace = (run.cache ? *run.cache : own).workspace();
   CurveRows rows;
-  workspace.prepare(state, classes_of(state, &bodies, options, run, result, rows), options,
-                    state.reference);
+  const auto classes = classes_of(state, &bodies, options, run, result, rows);
+  workspace.prepare(state, classes, options, state.reference);
   const auto with_held_rows = rows.empty() ? nullptr : with_rows(bodies, rows);
   const Motion& motion = with_held_rows ? *with_held_rows : bodies;
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes,
@@ -359,8 +379,10 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
   }
   if (along_path && ended_by(inversion, result)) take_if_first(inversion, result);
   if (!how.floor.given()) follow_with_vcvs(state, workspace, recorder, x);
-  if (options.raise_worst) raise_worst_element(workspace, recorder, result.fraction_reached, x);
   result.stretched = stretched(workspace);
+  result.without_shape = without_shape(workspace);
+  if (options.raise_worst)
+    raise_worst(state, classes, workspace, recorder, result.fraction_reached, x);
   return result;
 }
 

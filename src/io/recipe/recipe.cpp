@@ -25,6 +25,7 @@ Recipe parse_recipe(const json& document, const std::filesystem::path& folder) {
   Recipe recipe;
   reader.field("input", recipe.input);
   reader.field("output", recipe.output);
+  reader.field("reference_mesh", recipe.reference_mesh);
   reader.field("zone", recipe.zone);
   if (recipe.zone < 0) throw JsonValueError("zone", "expected the number of a zone");
   const json& commands = reader.needed("commands");
@@ -66,6 +67,7 @@ void write_recipe(const std::filesystem::path& path, const Recipe& recipe) {
   document["winslow_recipe"] = recipe_version;
   if (!recipe.input.empty()) document["input"] = recipe.input;
   if (!recipe.output.empty()) document["output"] = recipe.output;
+  if (!recipe.reference_mesh.empty()) document["reference_mesh"] = recipe.reference_mesh;
   if (recipe.zone != 0) document["zone"] = recipe.zone;
   document["commands"] = json::array();
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();

@@ -22,6 +22,8 @@ struct Recipe {
   std::string output;  ///< mesh to write, relative to the recipe; may be empty
   std::vector<Command> commands;
   int zone = 0;  ///< for an input of several zones: the zone to change; 0: all
+  /// Mesh whose element shapes motions keep, relative to the recipe; empty: the input.
+  std::string reference_mesh = {};
 };
 
 nlohmann::json to_json(const Command& command);

@@ -73,7 +73,7 @@ bool Motions::poll() {
 /// not slide.
 void Motions::move_nodes(const decltype(DeformCommand::shape)& table) {
   const Mesh& mesh = std::as_const(mesh_).document()->state().mesh;
-  const Markers& markers = mesh.topology->markers();
+  const winslow::Markers& markers = mesh.topology->markers();
   std::vector<std::string> moving;
   try {
     const auto motion = std::visit(
