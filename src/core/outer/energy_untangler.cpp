@@ -8,6 +8,8 @@ namespace {
 
 /// Initial regularisation of a determinant, as a share of the cell's size.
 constexpr double softest = 0.1;
+/// Below it the energy of an inverted cell is so large that steps from there lead nowhere.
+constexpr double sharpest = 1e-5 * softest;
 
 }  // namespace
 
@@ -40,19 +42,27 @@ void EnergyUntangler::choose_regularisation(const Coordinates& x) {
                                     : problem_->regularisation(x, sizes_, softness_);
 }
 
+/// A soft determinant untangles the bulk, a sharp one the last few elements.
+void EnergyUntangler::sharpen() {
+  constexpr double sharpening = 0.25;
+  softness_ *= sharpening;
+  last_progress_ = record_.iteration;
+}
+
 void EnergyUntangler::assess(const Coordinates& x) {
   record(problem_->validity(x));
-  // A soft determinant untangles the bulk, a sharp one the last few elements.
-  constexpr int patience = 8;
-  constexpr double sharpening = 0.25;
+  constexpr int patience = 8, least = 3;
+  constexpr double settled = 1e-4;  // residual; the mesh hardly changes any more
+  const int waited = record_.iteration - last_progress_;
   if (record_.inverted < least_inverted_) {
     least_inverted_ = record_.inverted;
     last_progress_ = record_.iteration;
-  } else if (record_.iteration - last_progress_ >= patience) {
-    softness_ *= sharpening;
-    last_progress_ = record_.iteration;
+  } else if (waited >= patience || (waited >= least && record_.residual < settled)) {
+    sharpen();
   }
 }
+
+bool EnergyUntangler::stalled() const { return softness_ < sharpest; }
 
 IterationRecord EnergyUntangler::start(const Coordinates& x) {
   begin_record(1);
@@ -121,6 +131,7 @@ IterationRecord EnergyUntangler::step(Coordinates& x) {
     assess(x);
   } else {
     record_.damping = record_.largest_move = 0;
+    sharpen();
   }
   return record_;
 }

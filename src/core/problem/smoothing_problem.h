@@ -110,8 +110,10 @@ class UntanglingProblem : public EnergyProblem {
  public:
   /// Typical size of the cells around each cell at x (#cells): the scale for its determinant.
   virtual std::vector<double> cell_sizes(const Coordinates& x) const = 0;
-  /// `softness` times the size of each cell, and no less than the magnitude of its determinant
-  /// where that is negative. sizes: see cell_sizes().
+  /// `softness` times the size of each cell. Where its determinant D is negative, e is larger:
+  /// softness times the root of size^2 + (10 D)^2. As the softness goes to zero, the energy of
+  /// every inverted cell goes to infinity, and that of valid cells to the energy without
+  /// regularisation. sizes: see cell_sizes().
   virtual Regularisation regularisation(const Coordinates& x, std::span<const double> sizes,
                                         double softness) const = 0;
   /// The same size for all cells, so large that the determinants no longer matter: the energy is a
