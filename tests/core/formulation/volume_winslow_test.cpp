@@ -258,7 +258,7 @@ TEST_CASE("the regularised energy of tetrahedra has its gradient on inverted one
   REQUIRE(check_validity(*mesh.topology, mesh.coordinates, 1).inverted > 10);
   const VolumeWinslow form = form_of(mesh, TargetBlend::regular(), {1, 0});
   const auto sizes = form.cell_sizes(mesh.coordinates);
-  const Regularisation soft = form.regularisation(mesh.coordinates, sizes, 0.5);
+  const Regularisation soft = form.regularisation(mesh.coordinates, sizes, {0.5, 1});
   std::vector<double> residual(form.unknowns());
   SparseMatrix hessian;
   form.linearise_regularised(mesh.coordinates, soft, hessian, residual);
@@ -280,8 +280,8 @@ TEST_CASE("the softer, the less an inverted tetrahedron costs, and without a lim
   const VolumeWinslow form = form_of(mesh, TargetBlend::regular(), {1, 0});
   const auto sizes = form.cell_sizes(mesh.coordinates);
   const auto energy = [&](double softness) {
-    return form.regularised_energy(mesh.coordinates,
-                                   form.regularisation(mesh.coordinates, sizes, softness));
+    return form.regularised_energy(
+        mesh.coordinates, form.regularisation(mesh.coordinates, sizes, {softness, softness}));
   };
   // On a valid mesh the energy becomes that without regularisation.
   CHECK(energy(1e-8) == doctest::Approx(form.energy(mesh.coordinates)));

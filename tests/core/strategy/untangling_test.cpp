@@ -121,25 +121,23 @@ TEST_CASE("inverted cells among flat ones do not come to rest: a twisted waist i
   }
 }
 
-TEST_CASE("what no position of the interior untangles ends soon, and says what is left") {
-  // An element with all nodes on the boundary is turned inside out by a corner that is pushed in.
-  MeshState state = make_state(make_mesh(cube(4, Volumes::tetrahedra)));
+TEST_CASE("what no position of the interior untangles ends soon, and not as converged") {
+  MeshState state = make_state(make_mesh(cube(3, Volumes::tetrahedra)));
   const Topology& topology = *state.mesh.topology;
   Coordinates& x = state.mesh.coordinates;
-  Index corner = -1;
-  for (Index e = 0; e < topology.element_count() && corner < 0; ++e) {
-    if (!all_on_boundary(topology, e)) continue;
-    for (const Index node : topology.element(e))
-      if (topology.star(node).size() == 1) corner = node;
-  }
-  REQUIRE(corner >= 0);
-  const Vec3 p = x.xyz(corner);
-  x.set_xyz(corner, p + 0.5 * (Vec3(0.5, 0.5, 0.5) - p));
-  REQUIRE(check_validity(topology, x).inverted == 1);
+  // A node of the lower side is drawn out through the upper one.
+  const auto is_there = [&](Index node) {
+    return (x.xyz(node) - Vec3(1.0 / 3, 1.0 / 3, 0)).norm() < 1e-9;
+  };
+  Index drawn = 0;
+  while (!is_there(drawn)) ++drawn;
+  x.set_xyz(drawn, Vec3(0.4, 0.4, 1.5));
+  REQUIRE(check_validity(topology, x).inverted > 0);
   const CommandResult result = execute(SmoothCommand{by_energy()}, state);
-  CHECK(result.smooth.inverted == 1);
+  CHECK(result.smooth.inverted > 0);
   CHECK_FALSE(result.smooth.converged);
-  CHECK(result.smooth.outer_iterations < 150);
+  CHECK(result.smooth.outer_iterations < 400);
+  CHECK(!result.smooth.out_of_iterations);
 }
 
 namespace {
