@@ -1,7 +1,6 @@
 #include "core/quality/surface_folds.h"
 
 #include <Eigen/Geometry>
-#include <map>
 #include <set>
 
 #include "core/geometry/element_normals.h"
