@@ -32,6 +32,41 @@ class Surface(ProgramTest):
         self.assertEqual(report["inverted"], 0)
         return report
 
+    def test_a_folded_surface_is_said_to_be_and_unfolds_onto_a_reference(self):
+        bumpy = str(support.ASSETS / "coarse/bumpy.obj.gz")
+        self.winslow("convert", bumpy, "bumpy.obj")
+        scrambled = self.winslow("scramble", "bumpy.obj", "-o", "in.obj", "--allow-inverted",
+                                 "--report", "s.json", code=support.INVERTED)
+        backwards = self.json("s.json")["inverted"]
+        self.assertGreater(backwards, 500)
+        self.assertNotIn("folded", scrambled.stderr)  # they are inverted elements there
+        told = self.winslow("quality", "in.obj", "--report", "q.json")
+        report = self.json("q.json")
+        self.assertEqual(report["inverted"], 0)
+        self.assertLess(abs(report["folds"]["elements"] - backwards), 0.05 * backwards)
+        for words in ("The surface is folded: it turns back on itself at "
+                      f"{report['folds']['edges']} edges", "--reference", "  edge "):
+            self.assertIn(words, told.stdout)
+        self.assertIn("folded", report["warnings"][0])
+        smoothed = self.winslow("smooth", "in.obj", "-o", "out.obj", "--report", "r.json")
+        self.assertIn("warning: the surface is folded", smoothed.stderr)
+        self.assertIn("--reference", smoothed.stderr)
+        self.assertGreater(self.json("r.json")["folds"]["elements"], 500)
+        unfolded = self.winslow("smooth", "in.obj", "-o", "out.obj", "--report", "r.json",
+                                "--reference", "bumpy.obj")
+        self.assertNotIn("folded", unfolded.stderr)
+        self.assertEqual(self.json("r.json")["folds"]["edges"], 0)
+        self.assertGreater(self.json("r.json")["folds_before"]["elements"], 500)
+        self.assertEqual(self.winslow("quality", "out.obj").stderr, "")
+
+    def test_thin_trailing_edges_are_no_folds(self):
+        wing = str(support.ASSETS / "coarse/wing.su2.gz")
+        self.winslow("convert", wing, "wing.obj")
+        self.assertNotIn("folded", self.winslow("quality", "wing.obj", "--report", "q.json").stdout)
+        folds = self.json("q.json")["folds"]
+        self.assertEqual(folds["edges"], 0)
+        self.assertGreater(folds["thin_edges"], 100)
+
     def check_shape(self, report, deviation):
         sine = report["quality"]["normalized_jacobian"]
         self.assertGreaterEqual(sine["min"], 0.35)

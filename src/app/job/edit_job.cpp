@@ -425,6 +425,22 @@ void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
   run.warnings.push_back(text);
 }
 
+/// Warns about a surface that is still folded. Inverted elements are reported by themselves.
+void warn_of_folds(const EditJob& job, const ZoneRun& zone, RunReport& run) {
+  const SurfaceFolds& folds = zone.quality.folds;
+  if (!folds.any() || zone.quality.inverted > 0) return;
+  const std::string name = zone.name();
+  const SurfaceFolds::Edge& first = folds.places.front();
+  const std::string text =
+      (name.empty() ? "" : name + ": ") + describe(folds) + ", the first at " +
+      place_text(first.centre) + ", edge " + std::to_string(first.nodes[0]) + ' ' +
+      std::to_string(first.nodes[1]) +
+      "; nodes stay on the shape of the mesh as given, so its folds stay and do not count as "
+      "inverted: --reference FILE names a surface without folds";
+  warn(job.files, {text});
+  run.warnings.push_back(text);
+}
+
 /// The result of the motion that completed the smallest fraction.
 const SmoothResult& least_complete(const RunReport& run) {
   return std::ranges::min_element(run.commands, {},
@@ -564,7 +580,10 @@ ExitCode run_edit_job(const EditJob& job) {
 
   const SignalsHeld held;
   InterruptGuard::check();
-  for (const ZoneRun& zone : zones) warn_of_damage(job, zone, run);
+  for (const ZoneRun& zone : zones) {
+    warn_of_damage(job, zone, run);
+    warn_of_folds(job, zone, run);
+  }
   save(job, zones, run);
   run.seconds.save = lap.lap();
   run.seconds.total = total.seconds();

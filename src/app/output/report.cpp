@@ -236,6 +236,10 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality, const Quality
     report["all_on_boundary"] = quality.all_on_boundary;
     report["all_on_boundary_inverted"] = quality.all_on_boundary_inverted;
   }
+  if (is_surface(*mesh.topology)) {
+    report["folds"] = describe_folds(quality.folds);
+    if (before) report["folds_before"] = describe_folds(before->folds);
+  }
   if (before) report["quality_before"] = describe_metrics(*before);
   return report;
 }

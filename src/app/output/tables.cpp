@@ -93,6 +93,38 @@ void print_inverted_elements(std::ostream& out, const Mesh& mesh, const QualityR
   if (left > 0) out << "  and " << left << " more\n";
 }
 
+void print_folds(std::ostream& out, const SurfaceFolds& folds, int limit) {
+  if (!folds.any()) return;
+  std::string text = describe(folds);
+  text.front() = 'T';
+  out << text << '\n';
+  const auto shown =
+      std::min<std::size_t>(folds.places.size(), static_cast<std::size_t>(std::max(limit, 0)));
+  for (const SurfaceFolds::Edge& edge : std::span(folds.places).first(shown)) {
+    out << "  edge " << edge.nodes[0] << ' ' << edge.nodes[1] << " between elements "
+        << edge.elements[0] << " and " << edge.elements[1] << " at " << place_text(edge.centre)
+        << '\n';
+  }
+  const Index left = folds.edges - static_cast<Index>(shown);
+  if (left > 0) out << "  and " << left << " more\n";
+  out << "Triangles of a surface that was read from a file have no side that is wrong, so these do "
+         "not count as inverted.\nWith --reference FILE, a surface without folds, smooth turns "
+         "them back.\n";
+}
+
+nlohmann::json describe_folds(const SurfaceFolds& folds) {
+  nlohmann::json places = nlohmann::json::array();
+  for (const SurfaceFolds::Edge& edge : folds.places)
+    places.push_back({{"nodes", edge.nodes},
+                      {"elements", edge.elements},
+                      {"centre", {edge.centre.x(), edge.centre.y(), edge.centre.z()}}});
+  return {{"edges", folds.edges},
+          {"elements", folds.elements},
+          {"thin_edges", folds.thin_edges},
+          {"places", places},
+          {"behind", folds.behind}};
+}
+
 void print_histograms(std::ostream& out, const QualityReport& quality) {
   for (const Metric m : reported_metrics(quality.cell_dimension)) {
     const Histogram& h = quality.of(m).histogram;

@@ -25,6 +25,11 @@ void print_worst_elements(std::ostream& out, const QualityReport& quality);
 /// Prints at most `limit` inverted elements with their ids and centres.
 void print_inverted_elements(std::ostream& out, const Mesh& mesh, const QualityReport& quality,
                              int limit);
+/// Prints the folds of a surface mesh, with at most `limit` of their edges: nodes, elements,
+/// places. Nothing for a surface without folds.
+void print_folds(std::ostream& out, const SurfaceFolds& folds, int limit);
+/// The same for reports; null for other meshes.
+nlohmann::json describe_folds(const SurfaceFolds& folds);
 /// Prints a histogram of each metric, one line per bin.
 void print_histograms(std::ostream& out, const QualityReport& quality);
 

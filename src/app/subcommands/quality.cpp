@@ -12,7 +12,7 @@
 namespace winslow::app {
 namespace {
 
-constexpr int inverted_elements_shown = 20;
+constexpr int inverted_elements_shown = 20, folded_edges_shown = 5;
 
 class QualitySubcommand : public Subcommand {
  public:
@@ -43,14 +43,21 @@ class QualitySubcommand : public Subcommand {
     RunReport run;
     run.command = "quality";
     run.input = input_;
-    run.warnings = warnings_of(files);
+    const std::vector<std::string> warnings = warnings_of(files);
+    run.warnings = warnings;
     std::vector<ZoneRun> zones = share_out(std::move(files), {}, input_);
     run.seconds.load = total.seconds();
     for (ZoneRun& zone : zones) zone.quality = measure_quality(zone.source.mesh, options_);
     run.seconds.solve = total.seconds() - run.seconds.load;
     run.seconds.total = total.seconds();
+    for (const ZoneRun& zone : zones) {
+      if (!zone.quality.folds.any()) continue;
+      const std::string name = zone.name();
+      run.warnings.push_back((name.empty() ? "" : name + ": ") +
+                             winslow::describe(zone.quality.folds));
+    }
     if (!report_.empty()) write_json(report_, describe(zones, run));
-    if (!quiet_) print(zones, run.warnings);
+    if (!quiet_) print(zones, warnings);
     const bool inverted = std::any_of(zones.begin(), zones.end(),
                                       [](const ZoneRun& z) { return z.quality.inverted > 0; });
     return inverted ? ExitCode::inverted : ExitCode::done;
@@ -81,6 +88,7 @@ class QualitySubcommand : public Subcommand {
       }
       print_pairs(std::cout, *zone.source.details->periodic, mesh);
       print_inverted_elements(std::cout, mesh, zone.quality, inverted_elements_shown);
+      print_folds(std::cout, zone.quality.folds, folded_edges_shown);
       if (options_.worst > 0) print_worst_elements(std::cout, zone.quality);
       if (histogram_) print_histograms(std::cout, zone.quality);
     }

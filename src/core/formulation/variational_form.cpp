@@ -53,12 +53,13 @@ std::vector<double> TargetForm<D>::cell_sizes(const Coordinates& x) const {
 
 template <int D>
 Regularisation TargetForm<D>::regularisation(const Coordinates& x, std::span<const double> sizes,
-                                             double softness) const {
+                                             const Softness& softness) const {
   Regularisation out;
   const std::vector<double> seen = determinants(x, &out);
   out.size.reserve(seen.size());
   for (std::size_t t = 0; t < seen.size(); ++t)
-    out.size.push_back(std::hypot(softness * sizes[t], std::min(0.0, seen[t])));
+    out.size.push_back(
+        std::hypot(softness.of_size * sizes[t], softness.of_inverted * std::min(0.0, seen[t])));
   return out;
 }
 

@@ -157,7 +157,7 @@ class TargetForm : public VariationalForm {
   }
   std::vector<double> cell_sizes(const Coordinates& x) const final;
   Regularisation regularisation(const Coordinates& x, std::span<const double> sizes,
-                                double softness) const final;
+                                const Softness& softness) const final;
   Regularisation full_regularisation(const Coordinates& x) const final;
   Index stuck_nodes() const final;
 

@@ -6,8 +6,8 @@ namespace winslow {
 
 namespace {
 
-/// Initial regularisation of a determinant, as a share of the cell's size.
-constexpr double softest = 0.1;
+/// Least Softness::of_inverted. Below it steps lead nowhere.
+constexpr double sharpest = 1e-5;
 
 }  // namespace
 
@@ -40,23 +40,34 @@ void EnergyUntangler::choose_regularisation(const Coordinates& x) {
                                     : problem_->regularisation(x, sizes_, softness_);
 }
 
+/// A soft determinant untangles the bulk, a sharp one the last few elements. Inverted cells get
+/// sharper only where the mesh comes to rest: while nodes still move far, their number says
+/// nothing.
+void EnergyUntangler::sharpen(bool at_rest) {
+  constexpr double sharpening = 0.25;
+  softness_.of_size *= sharpening;
+  if (at_rest) softness_.of_inverted *= sharpening;
+  last_progress_ = record_.iteration;
+}
+
 void EnergyUntangler::assess(const Coordinates& x) {
   record(problem_->validity(x));
-  // A soft determinant untangles the bulk, a sharp one the last few elements.
-  constexpr int patience = 8;
-  constexpr double sharpening = 0.25;
+  constexpr int patience = 8, least = 3;
+  constexpr double at_rest = 0.03, settled = 1e-4;  // residuals
+  const int waited = record_.iteration - last_progress_;
   if (record_.inverted < least_inverted_) {
     least_inverted_ = record_.inverted;
     last_progress_ = record_.iteration;
-  } else if (record_.iteration - last_progress_ >= patience) {
-    softness_ *= sharpening;
-    last_progress_ = record_.iteration;
+  } else if (waited >= patience || (waited >= least && record_.residual < settled)) {
+    sharpen(record_.residual < at_rest);
   }
 }
 
+bool EnergyUntangler::stalled() const { return softness_.of_inverted < sharpest; }
+
 IterationRecord EnergyUntangler::start(const Coordinates& x) {
   begin_record(1);
-  softness_ = softest;
+  softness_ = {};
   least_inverted_ = std::numeric_limits<Index>::max();
   last_progress_ = 0;
   measure_sizes(x);
@@ -121,6 +132,7 @@ IterationRecord EnergyUntangler::step(Coordinates& x) {
     assess(x);
   } else {
     record_.damping = record_.largest_move = 0;
+    sharpen(true);
   }
   return record_;
 }

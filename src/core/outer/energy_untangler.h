@@ -16,7 +16,10 @@ enum class Interior {
 
 /// Untangles by an energy with a regularised determinant in place of the barrier (Regularisation):
 /// Newton steps with the part of the Hessian that is positive semidefinite by construction. Before
-/// each step the regularisation is chosen from the worst cells.
+/// each step the regularisation is chosen from the inverted cells. It becomes sharper where the
+/// number of inverted elements no longer falls. Where the mesh comes to rest it becomes sharper for
+/// inverted cells, too: their energy grows until it exceeds that of all valid cells, however flat
+/// these are.
 class EnergyUntangler final : public OuterSolver {
  public:
   /// linear_tolerance: relative residual of a linear solve, tightened to 1e-6. reference:
@@ -30,7 +33,8 @@ class EnergyUntangler final : public OuterSolver {
   IterationRecord step(Coordinates& x) override;
   /// True once no element is inverted.
   bool converged() const override { return record_.inverted == 0; }
-  bool stalled() const override { return record_.damping == 0; }
+  /// True once the sharpest regularisation has not helped either.
+  bool stalled() const override;
 
  private:
   double forcing() const;
@@ -38,6 +42,7 @@ class EnergyUntangler final : public OuterSolver {
   /// Whether the present or the coming first step computes the harmonic interior.
   bool harmonic_step() const { return interior_ == Interior::harmonic && record_.iteration <= 1; }
   void choose_regularisation(const Coordinates& x);
+  void sharpen(bool at_rest);
   void assess(const Coordinates& x);
   double solve_for_direction(const Coordinates& x);
   bool search(Coordinates& x, double slope, double shortest);
@@ -49,7 +54,7 @@ class EnergyUntangler final : public OuterSolver {
   Interior interior_;
   std::vector<double> sizes_;  // of the cells
   Regularisation regularisation_;
-  double softness_ = 0;  // regularisation of a cell's determinant as a share of its size
+  Softness softness_;
   Index least_inverted_ = 0;
   int last_progress_ = 0;  // iteration
   SparseMatrix hessian_;

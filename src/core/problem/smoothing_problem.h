@@ -105,15 +105,21 @@ struct Regularisation {
   std::vector<Vec3> normals = {};
 };
 
+/// How soft the determinants of an untangling are. As both numbers go to zero, the energy of every
+/// inverted cell goes to infinity, and that of valid cells to the energy without regularisation.
+struct Softness {
+  double of_size = 0.1;    ///< e as a share of a cell's size
+  double of_inverted = 1;  ///< least e as a share of |D| where the determinant D is negative
+};
+
 /// An energy with a variant that is finite on every mesh, for untangling.
 class UntanglingProblem : public EnergyProblem {
  public:
   /// Typical size of the cells around each cell at x (#cells): the scale for its determinant.
   virtual std::vector<double> cell_sizes(const Coordinates& x) const = 0;
-  /// `softness` times the size of each cell, and no less than the magnitude of its determinant
-  /// where that is negative. sizes: see cell_sizes().
+  /// The regularisation of each cell. sizes: see cell_sizes().
   virtual Regularisation regularisation(const Coordinates& x, std::span<const double> sizes,
-                                        double softness) const = 0;
+                                        const Softness& softness) const = 0;
   /// The same size for all cells, so large that the determinants no longer matter: the energy is a
   /// quadratic form, and one Newton step reaches its unique minimum.
   virtual Regularisation full_regularisation(const Coordinates& x) const = 0;

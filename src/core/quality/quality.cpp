@@ -155,6 +155,7 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
   report.cell_dimension = mesh.topology->cell_dimension();
   report.space_dimension = mesh.topology->space_dimension();
   if (mesh.topology->kind() == MeshKind::volume) set_fixed_apart(*mesh.topology, values, report);
+  report.folds = find_folds(mesh);
   report.elements = mesh.topology->element_count();
   constexpr std::size_t listed = 100;
   for (Index e = 0; e < report.elements; ++e) {

@@ -2,6 +2,7 @@
 
 #include "core/mesh/mesh.h"
 #include "core/quality/metric.h"
+#include "core/quality/surface_folds.h"
 #include "core/quality/validity.h"
 #include "core/quality/wall_measures.h"
 
@@ -75,6 +76,7 @@ struct QualityReport {
   /// Elements of a volume mesh with all nodes on the boundary, which no smoothing can change. They
   /// are counted above, too, but are not in the statistics, histograms and lists.
   Index all_on_boundary = 0, all_on_boundary_inverted = 0;
+  SurfaceFolds folds;                                     ///< of surface meshes
   WallReport walls;                                       ///< of plane meshes
   std::vector<std::vector<WorstElement>> worst_at_walls;  ///< of all_wall_fields(), in their order
 

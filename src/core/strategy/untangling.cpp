@@ -10,18 +10,20 @@ namespace {
 /// elements at first, then the number grows: the count is meaningful only later.
 class Stagnation {
  public:
+  /// settled: residual below which the mesh hardly changes any more.
+  explicit Stagnation(double settled = 0) : settled_(settled) {}
   bool operator()(const IterationRecord& record) {
     constexpr std::size_t window = 40;
     constexpr double worthwhile = 0.8;  // of the count a window ago
-    constexpr double settled = 1e-4;
     if (record.inverted == 0) return true;
     counts_.push_back(record.inverted);
-    if (record.residual < settled) return true;
+    if (record.residual < settled_) return true;
     return counts_.size() > 2 * window &&
            counts_.back() > worthwhile * counts_[counts_.size() - 1 - window];
   }
 
  private:
+  double settled_;
   std::vector<Index> counts_;
 };
 
@@ -29,7 +31,9 @@ class Stagnation {
 
 bool Untangling::by_picard(Coordinates& x, double fraction) {
   constexpr int limit = 150;
-  return recorder_.iterate(workspace_.picard(), x, Stage::picard, fraction, limit, Stagnation())
+  constexpr double settled = 1e-4;
+  return recorder_
+             .iterate(workspace_.picard(), x, Stage::picard, fraction, limit, Stagnation(settled))
              .inverted == 0;
 }
 

@@ -177,6 +177,24 @@ QualityRow inverted_row(const QualityReport* before, Index now) {
   return row;
 }
 
+/// The elements of a surface mesh that lie behind folded edges.
+QualityRow folded_row(const SurfaceFolds* before, const SurfaceFolds& now) {
+  QualityRow row;
+  row.name = "Folded";
+  row.tip =
+      "Elements of a surface mesh that lie behind edges at which it turns back on itself, by more "
+      "than 150 degrees. A mesh that was read from a file has no other side to tell that they face "
+      "backwards: they do not count as inverted unless a reference surface is given.";
+  row.now = grouped(now.elements);
+  row.alarming = now.any();
+  row.before = before ? grouped(before->elements) : "-";
+  if (!before || before->elements == now.elements) return row;
+  const Index change = now.elements - before->elements;
+  row.change = (change > 0 ? "+" : "\xE2\x88\x92") + grouped(std::abs(change));
+  row.verdict = change < 0 ? 1 : -1;
+  return row;
+}
+
 /// A quantile of a distribution.
 struct Place {
   const char* name;
@@ -261,6 +279,8 @@ std::vector<QualityRow> quality_table(const QualityReport* before, const Quality
     rows.push_back(row_of("max", b ? &b->max : nullptr, n.max, better(info)));
   }
   rows.push_back(inverted_row(before, shown ? shown->inverted : now.inverted));
+  if (now.folds.any() || (before && before->folds.any()))
+    rows.push_back(folded_row(before ? &before->folds : nullptr, now.folds));
   return rows;
 }
 

@@ -120,7 +120,7 @@ TEST_CASE("surface form: the projected Hessian is never concave, the regularised
     form->advance(direction(*form, random, 0.5), 1, x);  // tangled
     REQUIRE(form->validity(x).inverted > 0);
     CHECK(std::isinf(form->energy(x)));
-    const auto regularisation = form->regularisation(x, form->cell_sizes(x), 0.1);
+    const auto regularisation = form->regularisation(x, form->cell_sizes(x), {});
     form->linearise_regularised(x, regularisation, hessian, residual);
     for (int run = 0; run < 10; ++run) {
       const auto u = direction(*form, random, 0.1);

@@ -260,7 +260,7 @@ TEST_CASE("the regularised energy of tetrahedra has its gradient on inverted one
   REQUIRE(check_validity(*mesh.topology, mesh.coordinates, 1).inverted > 10);
   const VolumeWinslow form = form_of(mesh, TargetBlend::regular(), {1, 0});
   const auto sizes = form.cell_sizes(mesh.coordinates);
-  const Regularisation soft = form.regularisation(mesh.coordinates, sizes, 0.5);
+  const Regularisation soft = form.regularisation(mesh.coordinates, sizes, {0.5, 1});
   std::vector<double> residual(form.unknowns());
   SparseMatrix hessian;
   form.linearise_regularised(mesh.coordinates, soft, hessian, residual);
@@ -274,6 +274,27 @@ TEST_CASE("the regularised energy of tetrahedra has its gradient on inverted one
   for (int k = 0; k < 10; ++k) {
     const auto v = random_rates(form.unknowns(), random);
     CHECK(dot(v, product(hessian, v)) > 0);
+  }
+}
+
+TEST_CASE("the softer, the less an inverted tetrahedron costs, and without a limit") {
+  Mesh mesh = shaken_cube(Volumes::tetrahedra);
+  const VolumeWinslow form = form_of(mesh, TargetBlend::regular(), {1, 0});
+  const auto sizes = form.cell_sizes(mesh.coordinates);
+  const auto energy = [&](double softness) {
+    return form.regularised_energy(
+        mesh.coordinates, form.regularisation(mesh.coordinates, sizes, {softness, softness}));
+  };
+  // On a valid mesh the energy becomes that without regularisation.
+  CHECK(energy(1e-8) == doctest::Approx(form.energy(mesh.coordinates)));
+  const Index node = mesh.topology->interior_nodes()[0];
+  mesh.coordinates.set_xyz(node, Vec3(1.5, 1.5, 1.5));
+  REQUIRE(form.validity(mesh.coordinates).inverted > 0);
+  double last = 0;
+  for (const double softness : {1e-1, 1e-2, 1e-3, 1e-4}) {
+    CAPTURE(softness);
+    CHECK(energy(softness) > 10 * last);
+    last = energy(softness);
   }
 }
 

@@ -114,11 +114,11 @@ class Chain final : public UntanglingProblem {
     return std::vector<double>(beads + 1, 1.0);
   }
   Regularisation regularisation(const Coordinates& x, std::span<const double> sizes,
-                                double softness) const override {
+                                const Softness& softness) const override {
     Regularisation out;
     for (Index k = 0; k <= beads; ++k) {
-      out.size.push_back(
-          std::hypot(softness * sizes[static_cast<std::size_t>(k)], std::min(0.0, gap(x, k))));
+      out.size.push_back(std::hypot(softness.of_size * sizes[static_cast<std::size_t>(k)],
+                                    softness.of_inverted * std::min(0.0, gap(x, k))));
     }
     return out;
   }

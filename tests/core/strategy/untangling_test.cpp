@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/command/command.h"
 #include "core/error.h"
@@ -68,6 +69,75 @@ TEST_CASE("where the energy is stuck with the interior as given, the harmonic in
     CHECK(result.smooth.converged);
     CHECK(without_fixed_point(result.smooth));
   }
+}
+
+namespace {
+
+/// A cube that was given a waist and turned about its axis, more and more from bottom to top.
+/// twist: degrees in all; waist: share by which the middle is narrower.
+Mesh twisted_waist(Index n, double twist, double waist) {
+  Mesh mesh = make_mesh(cube(n, Volumes::tetrahedra));
+  for (Index node = 0; node < mesh.topology->node_count(); ++node) {
+    const Vec3 p = mesh.coordinates.xyz(node);
+    const double from_middle = p.z() - 0.5, angle = radians(twist * from_middle);
+    const double width = 1 - waist * std::exp(-20 * from_middle * from_middle);
+    const double x = width * (p.x() - 0.5), y = width * (p.y() - 0.5);
+    mesh.coordinates.set_xyz(node, Vec3(std::cos(angle) * x - std::sin(angle) * y,
+                                        std::sin(angle) * x + std::cos(angle) * y, p.z()));
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("inverted cells among flat ones do not come to rest: a twisted waist is untangled") {
+  struct Case {
+    Index n;
+    double twist, waist;
+  };
+  for (const Case& c : {Case{5, 360, 0.93}, Case{6, 400, 0.95}}) {
+    MeshState state = make_state(twisted_waist(c.n, c.twist, c.waist));
+    const Topology& topology = *state.mesh.topology;
+    Coordinates& x = state.mesh.coordinates;
+    REQUIRE(check_validity(topology, x).inverted == 0);  // so it can be untangled
+    const Coordinates valid = x;
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+      CAPTURE(c.n);
+      CAPTURE(seed);
+      Random random(seed);
+      for (const Index node : topology.interior_nodes()) {
+        x.set_xyz(node,
+                  Vec3(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(0, 1)));
+      }
+      REQUIRE(check_validity(topology, x).inverted > 200);
+      const CommandResult result = execute(SmoothCommand{by_energy()}, state);
+      CHECK(result.smooth.inverted == 0);
+      CHECK(check_validity(topology, result.state.mesh.coordinates).inverted == 0);
+      CHECK(result.smooth.converged);
+      for (Index node = 0; node < topology.node_count(); ++node)
+        if (topology.on_boundary(node))
+          CHECK(result.state.mesh.coordinates.same_place(node, valid));
+    }
+  }
+}
+
+TEST_CASE("what no position of the interior untangles ends soon, and not as converged") {
+  MeshState state = make_state(make_mesh(cube(3, Volumes::tetrahedra)));
+  const Topology& topology = *state.mesh.topology;
+  Coordinates& x = state.mesh.coordinates;
+  // A node of the lower side is drawn out through the upper one.
+  const auto is_there = [&](Index node) {
+    return (x.xyz(node) - Vec3(1.0 / 3, 1.0 / 3, 0)).norm() < 1e-9;
+  };
+  Index drawn = 0;
+  while (!is_there(drawn)) ++drawn;
+  x.set_xyz(drawn, Vec3(0.4, 0.4, 1.5));
+  REQUIRE(check_validity(topology, x).inverted > 0);
+  const CommandResult result = execute(SmoothCommand{by_energy()}, state);
+  CHECK(result.smooth.inverted > 0);
+  CHECK_FALSE(result.smooth.converged);
+  CHECK(result.smooth.outer_iterations < 400);
+  CHECK(!result.smooth.out_of_iterations);
 }
 
 namespace {

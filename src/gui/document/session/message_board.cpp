@@ -60,11 +60,23 @@ void MessageBoard::set_banner_of_position() {
   banner_.reset();
   if (history.position() > 0) return set_banner_of_result(history.result(history.position()));
   const Index inverted = document.loaded_quality().inverted;
-  if (inverted == 0) return;
+  if (inverted == 0) return set_banner_of_folds(document.loaded_quality().folds);
   set_banner(
       Banner::Kind::inverted_input,
       "This mesh has " + counted(inverted, "inverted element") + ". Smoothing usually repairs it.");
   banner_->worst = worst_place({});
+}
+
+void MessageBoard::set_banner_of_folds(const SurfaceFolds& folds) {
+  if (!folds.any()) return;
+  std::string text = describe(folds);
+  text.front() = 'T';
+  set_banner(Banner::Kind::remark,
+             text +
+                 ". They do not count as inverted: the shape to stay on is that of this mesh. "
+                 "With a reference surface without folds, smoothing turns them back.");
+  if (!folds.behind.empty())
+    banner_->worst = MeshItem{MeshItem::Kind::element, folds.behind.front()};
 }
 
 void MessageBoard::set_banner_of_result(const SmoothResult& smooth) {
@@ -82,6 +94,8 @@ void MessageBoard::set_banner_of_result(const SmoothResult& smooth) {
                    ": valid, but not converged." + (damage.text.empty() ? "" : ' ' + damage.text));
   } else if (!damage.text.empty()) {
     set_banner(Banner::Kind::damaged, damage.text);
+  } else if (const Document* document = mesh_.document(); document && !banner_) {
+    set_banner_of_folds(find_folds(document->state().mesh));
   }
   // A residual concerns all nodes and has no place.
   const bool of_a_place = !damage.text.empty() || smooth.inverted > 0 ||

@@ -41,6 +41,8 @@ class MessageBoard {
   void set_banner_of_position();
   /// Sets the banner for the result of the last command; a motion that ended early has set its own.
   void set_banner_of_result(const SmoothResult& smooth);
+  /// Shows where a surface mesh is folded; no banner if it is not.
+  void set_banner_of_folds(const SurfaceFolds& folds);
 
   void on(const action::DismissPrompt&);
   void on(const action::DismissBanner&);
