@@ -24,6 +24,48 @@ class Move(ProgramTest):
         moved = sum(a != b for a, b in zip(before, after))
         self.assertGreater(moved, 100)  # the interior followed
 
+    def test_no_motion_writes_the_same_bytes_and_says_so(self):
+        self.ring()
+        given = self.path("ring.su2").read_bytes()
+        for more in ((), ("--targets", "auto"), ("--raise-worst",), ("--direct",)):
+            run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body",
+                               "--translate", "0", "0", "--report", "r.json", *more)
+            self.assertEqual(self.path("out.su2").read_bytes(), given)
+            self.assertIn("nothing moves", run.stdout)
+            self.assertTrue(self.json("r.json")["commands"][0]["nothing_moves"])
+
+    def test_steps_from_file_to_file_with_the_reference_mesh_end_as_one_motion(self):
+        self.ring()
+        turn = ("--marker", "body", "--pivot", "0.5", "0", "--rotate")
+        self.winslow("move", "ring.su2", "-o", "once.su2", *turn, "30")
+        self.winslow("move", "ring.su2", "-o", "s1.su2", *turn, "10")
+        for k in (1, 2):
+            self.winslow("move", f"s{k}.su2", "-o", f"s{k + 1}.su2", *turn, "10",
+                         "--reference-mesh", "ring.su2", "--save-recipe", "p.json")
+        once, _, _ = support.read_su2(self.path("once.su2"))
+        steps, _, _ = support.read_su2(self.path("s3.su2"))
+        self.assertLess(max(math.dist(a, b) for a, b in zip(once, steps)), 1e-8)
+        self.assertEqual(self.json("p.json")["reference_mesh"], "ring.su2")
+        self.winslow("replay", "p.json", "-o", "again.su2")
+        self.assertEqual(self.path("again.su2").read_bytes(), self.path("s3.su2").read_bytes())
+        # Back again.
+        self.winslow("move", "s3.su2", "-o", "back.su2", *turn, "-30", "--reference-mesh", "ring.su2")
+        given, _, _ = support.read_su2(self.path("ring.su2"))
+        back, _, _ = support.read_su2(self.path("back.su2"))
+        self.assertLess(max(math.dist(a, b) for a, b in zip(given, back)), 1e-8)
+
+    def test_a_reference_mesh_of_other_connectivity_is_refused(self):
+        self.ring()
+        self.winslow("convert", "ring.su2", "-o", "other.su2")
+        text = self.path("other.su2").read_bytes().decode()
+        with open(self.path("other.su2"), "w") as file:
+            file.write(text.replace("MARKER_TAG= body", "MARKER_TAG= wing"))
+        run = self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "5",
+                           "--reference-mesh", "other.su2", code=USAGE)
+        self.assertIn('other.su2: the reference mesh does not have the connectivity of the mesh: '
+                      'marker "body" is missing', run.stderr)
+        self.assertFalse(self.path("out.su2").exists())
+
     def test_positive_angles_turn_counter_clockwise(self):
         self.ring()
         self.winslow("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "20")

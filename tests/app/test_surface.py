@@ -45,15 +45,15 @@ class Surface(ProgramTest):
         self.assertEqual(report["inverted"], 0)
         self.assertLess(abs(report["folds"]["elements"] - backwards), 0.05 * backwards)
         for words in ("The surface is folded: it turns back on itself at "
-                      f"{report['folds']['edges']} edges", "--reference", "  edge "):
+                      f"{report['folds']['edges']} edges", "--reference-surface", "  edge "):
             self.assertIn(words, told.stdout)
         self.assertIn("folded", report["warnings"][0])
         smoothed = self.winslow("smooth", "in.obj", "-o", "out.obj", "--report", "r.json")
         self.assertIn("warning: the surface is folded", smoothed.stderr)
-        self.assertIn("--reference", smoothed.stderr)
+        self.assertIn("--reference-surface", smoothed.stderr)
         self.assertGreater(self.json("r.json")["folds"]["elements"], 500)
         unfolded = self.winslow("smooth", "in.obj", "-o", "out.obj", "--report", "r.json",
-                                "--reference", "bumpy.obj")
+                                "--reference-surface", "bumpy.obj")
         self.assertNotIn("folded", unfolded.stderr)
         self.assertEqual(self.json("r.json")["folds"]["edges"], 0)
         self.assertGreater(self.json("r.json")["folds_before"]["elements"], 500)

@@ -208,6 +208,11 @@ void write_recipe(const EditJob& job) {
   io::write_recipe(recipe, written);
 }
 
+bool moves_nothing(const RunReport& run) {
+  return std::ranges::all_of(run.commands,
+                             [](const CommandRecord& c) { return c.result.nothing_moves; });
+}
+
 /// Writes mesh, history and recipe; the report comes last, since it holds the times of the other
 /// steps.
 void save(const EditJob& job, const std::vector<ZoneRun>& zones, RunReport& run) {
@@ -216,7 +221,12 @@ void save(const EditJob& job, const std::vector<ZoneRun>& zones, RunReport& run)
     std::vector<io::MeshZone> meshes;
     for (const ZoneRun& zone : zones)
       meshes.push_back({&zone.result.mesh, zone.source.details.get()});
-    const auto warnings = io::write_mesh_zones(job.files.output, meshes, job.files.encoding);
+    const bool copied = moves_nothing(run) && zones.size() == 1 &&
+                        io::copy_mesh(job.files.input, job.files.output,
+                                      zones.front().source.details.get(), job.files.encoding);
+    const auto warnings = copied
+                              ? std::vector<std::string>()
+                              : io::write_mesh_zones(job.files.output, meshes, job.files.encoding);
     warn(job.files, warnings);
     run.warnings.insert(run.warnings.end(), warnings.begin(), warnings.end());
     run.written = true;
@@ -409,6 +419,23 @@ std::string hint_to_slide(const ZoneRun& zone, const Damage& damage) {
   return marker.empty() ? "" : "--slide " + printable(marker) + slides_along + ", ";
 }
 
+/// How the elements themselves can be kept as they are, besides what the commands do already.
+std::string hint_to_keep(const ZoneRun& zone, const Damage& damage) {
+  const bool keeps = std::ranges::all_of(zone.commands, [](const std::optional<Command>& command) {
+    const SmoothOptions* smooth = command ? smooth_options(*command) : nullptr;
+    return !smooth || smooth->targets.keep > 0 ||
+           (smooth->targets.by_command() && !std::holds_alternative<SmoothCommand>(*command));
+  });
+  const bool plane = zone.source.mesh.topology->kind() == MeshKind::plane;
+  std::string hint;
+  if (damage.node && plane) hint = "--hold-layers keeps heights at a wall";
+  if (!keeps)
+    hint += (hint.empty() ? "" : ", ") + std::string("--targets keep keeps the elements' shapes");
+  if (!damage.node)
+    hint += (hint.empty() ? "" : ", ") + std::string("--raise-worst betters the worst one");
+  return hint;
+}
+
 /// Warns about damage to a valid result that may hurt a flow solver. Commands that request heights
 /// of layers suppress the warning.
 void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
@@ -416,11 +443,10 @@ void warn_of_damage(const EditJob& job, const ZoneRun& zone, RunReport& run) {
   const Damage damage = find_damage(zone.source.mesh, zone.result.mesh);
   if (damage.text.empty()) return;
   const std::string name = zone.name();
+  std::string hint = hint_to_slide(zone, damage) + hint_to_keep(zone, damage);
+  if (hint.ends_with(", ")) hint.resize(hint.size() - 2);
   const std::string text =
-      (name.empty() ? "" : name + ": ") + damage.text + "; " + hint_to_slide(zone, damage) +
-      (damage.node
-           ? "--hold-layers keeps heights at a wall, --targets rest the elements' own shapes"
-           : "--targets rest keeps the elements' own shapes, --raise-worst betters the worst one");
+      (name.empty() ? "" : name + ": ") + damage.text + (hint.empty() ? "" : "; " + hint);
   warn(job.files, {text});
   run.warnings.push_back(text);
 }
@@ -436,7 +462,7 @@ void warn_of_folds(const EditJob& job, const ZoneRun& zone, RunReport& run) {
       place_text(first.centre) + ", edge " + std::to_string(first.nodes[0]) + ' ' +
       std::to_string(first.nodes[1]) +
       "; nodes stay on the shape of the mesh as given, so its folds stay and do not count as "
-      "inverted: --reference FILE names a surface without folds";
+      "inverted: --reference-surface FILE names a surface without folds";
   warn(job.files, {text});
   run.warnings.push_back(text);
 }

@@ -1,7 +1,7 @@
 #include <cctype>
+#include <iostream>
 
 #include "app/options/flags.h"
-#include "app/output/terminal.h"
 #include "core/command/option_tables.h"
 #include "core/error.h"
 
@@ -120,6 +120,7 @@ void set_shares(const SharesOption& shares, const std::string& flag,
     }
     *part->share = share;
   }
+  if (shares.is_none()) throw UsageError(flag + ": the shares must not all be zero");
 }
 
 /// Throws the option's fault after its value was set; CLI11 prepends the flag.
@@ -342,7 +343,7 @@ void add_smooth_flags(CLI::App& app, SmoothOptions& options) {
          "--reference",
          [&options](const std::string& file) {
            options.slide.reference = file;
-           print_warnings({"--reference is now called --reference-surface"});
+           std::cerr << "winslow: warning: --reference is now called --reference-surface\n";
          })
       ->group("");  // an earlier name, not shown in the help
 }

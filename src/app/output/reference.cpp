@@ -71,7 +71,8 @@ ProgramOption option_of(CLI::Option& option) {
 
 std::vector<ProgramOption> options_of(CLI::App& app) {
   std::vector<ProgramOption> options;
-  for (CLI::Option* option : app.get_options()) options.push_back(option_of(*option));
+  for (CLI::Option* option : app.get_options())
+    if (!option->get_group().empty()) options.push_back(option_of(*option));  // others are hidden
   std::stable_partition(options.begin(), options.end(),
                         [](const ProgramOption& o) { return o.positional; });
   return options;

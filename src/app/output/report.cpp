@@ -151,6 +151,8 @@ json describe_result(const CommandRecord& record) {
                  {"kept_outside", r.kept_outside},
                  {"prescribed_inside", r.prescribed_inside},
                  {"stuck_nodes", r.stuck_nodes},
+                 {"nothing_moves", r.nothing_moves},
+                 {"without_shape", r.without_shape},
                  {"held_nodes", r.boundary.held},
                  {"sliding", describe_sliding(r.boundary.sliding)},
                  {"interfaces", describe_interfaces(r.boundary.interfaces)},

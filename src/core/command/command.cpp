@@ -209,10 +209,10 @@ void require_sound(const MotionOptions& how, const SmoothOptions& smooth) {
         "of what comes after it: expected one of the two");
 }
 
-CommandResult run_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
-                         const SmoothOptions& smooth, const RunOptions& options) {
+CommandResult run_motion(const MeshState& state, const Motion& motion, const BodyNodes& bodies,
+                         const MotionOptions& how, const SmoothOptions& smooth,
+                         const RunOptions& options) {
   require_sound(how, smooth);
-  const BodyNodes bodies = body_nodes(motion, state.mesh.coordinates);
   RunOptions run = options;
   run.bodies = &bodies;
   if (state.layers && state.layers->held && how.smooth_after) {
@@ -256,7 +256,11 @@ std::unique_ptr<Motion> motion_of(const DeformCommand& command, const MeshState&
 template <class Moving>
 requires(requires(Moving command) { command.how; }) CommandResult
     execute_one(const Moving& command, const MeshState& state, const RunOptions& options) {
-  return run_motion(state, *motion_of(command, state), command.how, command.smooth, options);
+  const auto motion = motion_of(command, state);
+  const BodyNodes bodies = markers_of(Command(command)).empty()
+                               ? body_nodes_of_table(*motion, state.mesh)
+                               : body_nodes(*motion, state.mesh.coordinates);
+  return run_motion(state, *motion, bodies, command.how, command.smooth, options);
 }
 
 /// Uniform in [0, 1) from the generator's top 53 bits: std::uniform_real_distribution may differ

@@ -75,7 +75,7 @@ class DragSession::Impl final : public SolverMonitor {
     footholds_ = footholds_of(slide_, what_holds_footholds(options_), state_.mesh, bodies_);
     std::erase_if(footholds_, [](const Foothold& foothold) { return !foothold.goes_on; });
     wanted_ = frame_.motion;
-    if (!footholds_.empty()) rest_ = state_.mesh;
+    if (!footholds_.empty()) stood_on_ = state_.mesh;
     const Box<3> body = body_box(state_.mesh.coordinates, nodes_);
     centre_ = body.centre();
     radius_ = 0.5 * body.size().norm();
@@ -120,7 +120,7 @@ class DragSession::Impl final : public SolverMonitor {
   }
 
   RigidMotion along(const RigidMotion& motion) const {
-    return along_footholds(rest_, grip_, footholds_, motion);
+    return along_footholds(stood_on_, grip_, footholds_, motion);
   }
   const Vec3& body_centre() const { return centre_; }
   bool ready() const {
@@ -326,7 +326,7 @@ class DragSession::Impl final : public SolverMonitor {
   std::vector<Index> nodes_;
   BodyNodes bodies_;
   std::vector<Foothold> footholds_;  // that go on
-  Mesh rest_;                        // the mesh of the footholds
+  Mesh stood_on_;                    // the mesh of the footholds
   SolverCache cache_;                // the worker's
   Coordinates solved_;               // the worker's: the mesh solved for last
   RigidMotion from_, target_;        // the worker's: what it is solving for

@@ -70,8 +70,9 @@ class PlaneSearch final : public FootholdSearch {
  public:
   PlaneSearch(const Topology& topology, const Coordinates& x, const FootholdQuery& query)
       : FootholdSearch(topology, query),
-        curves_(sliding_on_curves(topology, x, indices_of(topology, query.markers),
-                                  {.angle = query.angle}, {})) {}
+        curves_(sliding_on_curves(
+            topology, x, {topology, indices_of(topology, query.markers), Interfaces::free},
+            {.angle = query.angle}, {})) {}
 
   Footholds find() {
     for (SlidingPart& part : curves_.parts)
@@ -103,7 +104,8 @@ class SpaceSearch final : public FootholdSearch {
   SpaceSearch(const Topology& topology, const Coordinates& x, const FootholdQuery& query)
       : FootholdSearch(topology, query),
         x_(x),
-        sliding_(sliding_faces(topology, markers_of(topology, query))),
+        markers_(topology, markers_of(topology, query), Interfaces::free),
+        sliding_(sliding_faces(topology, markers_)),
         features_(find_features(x, sliding_.faces, query.angle)),
         curves_(curves_along(x_, features_)),
         goes_on_(features_.regions.size(), 0) {}
@@ -124,7 +126,7 @@ class SpaceSearch final : public FootholdSearch {
   }
 
   std::string marker_of(std::size_t region) const {
-    return part_name(topology(), sliding_.faces[at(features_.regions[region].front())].marker);
+    return part_name(markers_, sliding_.faces[at(features_.regions[region].front())].marker);
   }
 
   void add_region(std::size_t r) {
@@ -191,6 +193,7 @@ class SpaceSearch final : public FootholdSearch {
   }
 
   SpacePoints x_;
+  SlidingMarkers markers_;
   SlidingFaces sliding_;
   SurfaceFeatures features_;
   FeatureCurves curves_;

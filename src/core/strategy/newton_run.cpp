@@ -164,7 +164,8 @@ void NewtonRun::move_along_path(const Motion& motion, const Coordinates& rest, C
     set_target_share(0);
     path.change_problem = [this](double share) { set_target_share(share); };
   }
-  begin_path();
+  // Limits apply to solutions, so the meshes on the path must be solutions of the whole problem.
+  if (!floor_.given()) begin_path();
   follow_path(path, least_sine, x);
   result.linear_solver = linear().description();
   if (result.fraction_reached < 1 && !result.contact && result.limited_by.empty())

@@ -307,6 +307,32 @@ BodyNodes body_nodes(const Motion& motion, const Coordinates& rest) {
   return nodes;
 }
 
+BodyNodes body_nodes_of_table(const Motion& motion, const Mesh& rest) {
+  BodyNodes nodes = body_nodes(motion, rest.coordinates);
+  std::vector<Index> stand;
+  for (const Marker& marker : rest.topology->markers()) {
+    const auto moves = [&](const Face& face) {
+      return std::ranges::all_of(
+          face, [&](Index node) { return std::ranges::binary_search(nodes.all, node); });
+    };
+    if (std::ranges::any_of(marker.faces, moves)) continue;
+    for (const Face& face : marker.faces)
+      for (const Index node : face)
+        if (std::ranges::binary_search(nodes.standing, node)) stand.push_back(node);
+  }
+  sort_unique(stand);
+  std::vector<Index> of_faces;  // that move as a whole
+  for (const Marker& marker : rest.topology->markers())
+    for (const Face& face : marker.faces)
+      if (std::ranges::all_of(
+              face, [&](Index node) { return std::ranges::binary_search(nodes.all, node); }))
+        of_faces.insert(of_faces.end(), face.begin(), face.end());
+  sort_unique(of_faces);
+  nodes.standing.clear();
+  std::ranges::set_intersection(stand, of_faces, std::back_inserter(nodes.standing));
+  return nodes;
+}
+
 namespace {
 
 /// The node that is taken farthest off a foothold; of a foothold that is known only at its nodes,

@@ -68,6 +68,9 @@ void require_on_footholds(const Mesh& mesh, const Motion& motion,
 
 /// The nodes of a motion, and those that change their places.
 BodyNodes body_nodes(const Motion& motion, const Coordinates& rest);
+/// The same for nodes that a table names one by one: they are a body only where whole faces of the
+/// boundary move, and do not stand on a marker of which they move a part.
+BodyNodes body_nodes_of_table(const Motion& motion, const Mesh& rest);
 
 /// Lets a body that stands on a sliding boundary move along it: the nodes of this boundary give way
 /// on one side of the body and follow on the other. Sets boundary.yielding. Throws UsageError,

@@ -1,9 +1,11 @@
 #include "io/format/mesh_file.h"
 
+#include <iterator>
 #include <tuple>
 
 #include "core/error.h"
 #include "io/file/atomic_file.h"
+#include "io/file/gzip.h"
 #include "io/format/mesh_format.h"
 #include "io/format/periodicity.h"
 
@@ -161,6 +163,23 @@ std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mes
                                     const FormatDetails* details, const WriteOptions& options) {
   const MeshZone zone{&mesh, details};
   return write_mesh_zones(path, {&zone, 1}, options);
+}
+
+bool copy_mesh(const std::filesystem::path& from, const std::filesystem::path& to,
+               const FormatDetails* details, const WriteOptions& options) {
+  const MeshFormat* format = options.format ? options.format : format_of_extension(to);
+  const bool as_it_was = options.keep_encoding && !options.binary && options.gmsh_version.empty() &&
+                         options.cgns_container.empty() && !options.zone_alone;
+  if (!format || !details || details->format != format || format->files || !as_it_was) return false;
+  if (details->zones.size() > 1 || !std::filesystem::is_regular_file(from)) return false;
+  std::ifstream in(from, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in) return false;
+  if (is_gzip(bytes)) bytes = gunzip(bytes, from.string());
+  write_atomically(to, [&](std::ostream& out) {
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  });
+  return true;
 }
 
 std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,

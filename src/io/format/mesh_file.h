@@ -85,6 +85,13 @@ struct MeshZone {
 std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
                                           std::span<const MeshZone> zones,
                                           const WriteOptions& options = {});
+/// Copies a mesh file that nothing has changed, so that the output has the same bytes: a writer may
+/// print the same numbers in other words. It is compressed or not as the names say. details: of the
+/// mesh that was read from `from`. Returns false, and writes nothing, where a copy is not what was
+/// asked for: for another format or encoding, one zone of several, a mesh of several files. Throws
+/// OutputError.
+bool copy_mesh(const std::filesystem::path& from, const std::filesystem::path& to,
+               const FormatDetails* details, const WriteOptions& options = {});
 /// A sentence that says which zone was read, if the file has others; else empty.
 std::vector<std::string> zones_left(const FormatDetails* details,
                                     const std::filesystem::path& path);

@@ -16,8 +16,9 @@ namespace {
 /// An annulus smoothed, its solver at the solution.
 struct Solved {
   explicit Solved(Cells cells) : state(make_state(make_mesh(annulus(32, 10, 1.2, cells)))) {
-    workspace.prepare(state, std::make_shared<NodeClasses>(state.mesh.topology),
-                      {.targets = TargetBlend::automatically()});
+    SmoothOptions options;
+    options.targets = TargetBlend::automatically();
+    workspace.prepare(state, std::make_shared<NodeClasses>(state.mesh.topology), options);
     state.mesh.coordinates = solution_after({}, state.mesh.coordinates);
     const Topology& topology = *state.mesh.topology;
     const auto span = topology.markers().nodes(*topology.markers().find("inner"));

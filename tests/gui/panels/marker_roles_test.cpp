@@ -152,7 +152,7 @@ TEST_CASE("what nodes do is shown in colours with a key, and follows roles and f
 
 TEST_CASE(
     "where regions meet nodes stay, which is shown, unless the row below the list says else") {
-  Rig rig(1280, 900);
+  Rig rig(1280, 1200);
   rig.open(plane_square());
   CHECK_FALSE(rig.visible("markers/interfaces"));
   MeshData data = winslow::test::square(8, winslow::test::Cells::triangles);

@@ -123,8 +123,11 @@ Damage MessageBoard::damage_of_last_command() const {
           : std::string();
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   if (!marker.empty()) text += "; " + marker + " may slide instead of being fixed";
-  text +=
-      "; targets that keep the elements' own shapes, such as \"Keep current shapes\", avoid that.";
+  const bool keeps = smooth && !std::holds_alternative<SmoothCommand>(last) &&
+                     (smooth->targets.keep > 0 || smooth->targets.by_command());
+  text += keeps ? "."
+                : "; targets that keep the elements' own shapes, such as \"Keep the mesh as it "
+                  "is\", avoid that.";
   return damage;
 }
 

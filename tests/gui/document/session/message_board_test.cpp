@@ -83,7 +83,7 @@ TEST_CASE("a command that spoils the cells at walls is named, in each place of t
   REQUIRE(board.banner().has_value());
   CHECK(board.banner()->kind == Banner::Kind::damaged);
   const std::string text = board.banner()->text;
-  CHECK(text.starts_with("First heights changed by more than 5 %"));
+  CHECK(text.starts_with("First heights changed by a factor of more than 1.5"));
   CHECK(text.find(" at (") != std::string::npos);
   CHECK(text.ends_with("avoid that."));
   REQUIRE(board.banner()->worst.has_value());
