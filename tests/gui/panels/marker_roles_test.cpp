@@ -152,7 +152,7 @@ TEST_CASE("what nodes do is shown in colours with a key, and follows roles and f
 
 TEST_CASE(
     "where regions meet nodes stay, which is shown, unless the row below the list says else") {
-  Rig rig(1280, 1200);
+  Rig rig(1280, 900);
   rig.open(plane_square());
   CHECK_FALSE(rig.visible("markers/interfaces"));
   MeshData data = winslow::test::square(8, winslow::test::Cells::triangles);
@@ -162,7 +162,7 @@ TEST_CASE(
     for (const Index node : data.element(e)) height += data.coordinates.xy(node).y() / 3;
     data.element_region.push_back(height < 0.5 ? 0 : 1);
   }
-  rig.open(make_mesh(data));
+  rig.open(make_mesh(data), "regions.msh");
   rig.frames(2);
   REQUIRE(rig.visible("markers/interfaces"));
   rig.click("markers/roles");
