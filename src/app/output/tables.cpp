@@ -108,7 +108,8 @@ void print_folds(std::ostream& out, const SurfaceFolds& folds, int limit) {
   const Index left = folds.edges - static_cast<Index>(shown);
   if (left > 0) out << "  and " << left << " more\n";
   out << "Triangles of a surface that was read from a file have no side that is wrong, so these do "
-         "not count as inverted.\nWith --reference-surface FILE, a surface without folds, smooth turns "
+         "not count as inverted.\nWith --reference-surface FILE, a surface without folds, smooth "
+         "turns "
          "them back.\n";
 }
 

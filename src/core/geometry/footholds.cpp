@@ -70,9 +70,9 @@ class PlaneSearch final : public FootholdSearch {
  public:
   PlaneSearch(const Topology& topology, const Coordinates& x, const FootholdQuery& query)
       : FootholdSearch(topology, query),
-        curves_(sliding_on_curves(
-            topology, x, {topology, indices_of(topology, query.markers), Interfaces::free},
-            {.angle = query.angle}, {})) {}
+        curves_(sliding_on_curves(topology, x,
+                                  {topology, indices_of(topology, query.markers), Interfaces::free},
+                                  {.angle = query.angle}, {})) {}
 
   Footholds find() {
     for (SlidingPart& part : curves_.parts)

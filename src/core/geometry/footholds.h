@@ -5,8 +5,8 @@
 /// Finds what the nodes of moving bodies stand on: a half wing on its symmetry plane, a piston
 /// between the walls of its cylinder.
 ///
-/// find_footholds() takes the markers that may give way and the nodes of the bodies (FootholdQuery);
-/// a run does so in let_footholds_slide().
+/// find_footholds() takes the markers that may give way and the nodes of the bodies
+/// (FootholdQuery); a run does so in let_footholds_slide().
 namespace winslow {
 
 /// A part of a marker without features, or an edge between such parts, on which nodes of moving

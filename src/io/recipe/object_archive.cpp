@@ -280,8 +280,7 @@ void read_shares(const json& value, const std::string& path, const SharesOption&
   ObjectReader reader(value, path);
   for (const auto& part : shares.parts) reader.field(std::string(part.name).c_str(), *part.share);
   reader.finish();
-  if (shares.is_none())
-    throw JsonValueError(path, "the shares must not be negative, nor all zero");
+  if (shares.is_none()) throw JsonValueError(path, "the shares must not be negative, nor all zero");
 }
 
 void read_components(const json& value, const std::string& path, std::span<double> out) {

@@ -287,10 +287,10 @@ using SettingsAction =
 
 using LayerAction = std::variant<action::PreviewLayers>;
 using MessageAction = std::variant<action::DismissPrompt, action::DismissBanner, action::Remark>;
-using MotionAction = std::variant<action::ApplyMotion, action::ApplyDeformation,
-                                  action::ApplyBodyPlan, action::MoveNodesOfFile,
-                                  action::SetShapeEdit, action::BeginDrag,
-                                  action::DragTo, action::EndDrag, action::CancelDrag>;
+using MotionAction =
+    std::variant<action::ApplyMotion, action::ApplyDeformation, action::ApplyBodyPlan,
+                 action::MoveNodesOfFile, action::SetShapeEdit, action::BeginDrag, action::DragTo,
+                 action::EndDrag, action::CancelDrag>;
 using SelectionAction =
     std::variant<action::SelectMarkers, action::HoverMarkers, action::SetPivot,
                  action::SetSpacePivot, action::SetSpaceAxis, action::TakePivot, action::PickPivot,
