@@ -121,7 +121,7 @@ RigidMotion along_footholds(const Mesh& mesh, const DragGrip& grip,
   RigidMotion shifted = motion;
   shifted.rotate = 0;
   for (const RigidMotion& start : {motion, shifted}) {
-    const RigidMotion along = put_back(mesh, grip, footholds, start);
+    RigidMotion along = put_back(mesh, grip, footholds, start);
     if (keeps_on(mesh, grip, footholds, along)) return along;
   }
   shifted.translate = Vec3(0, 0, 0);
