@@ -221,9 +221,9 @@ void save(const EditJob& job, const std::vector<ZoneRun>& zones, RunReport& run)
     std::vector<io::MeshZone> meshes;
     for (const ZoneRun& zone : zones)
       meshes.push_back({&zone.result.mesh, zone.source.details.get()});
-    const bool copied = moves_nothing(run) && zones.size() == 1 &&
-                        io::copy_mesh(job.files.input, job.files.output,
-                                      zones.front().source.details.get(), job.files.encoding);
+    const bool copied =
+        moves_nothing(run) && io::copy_mesh(job.files.input, job.files.output,
+                                            zones.front().source.details.get(), job.files.encoding);
     const auto warnings = copied
                               ? std::vector<std::string>()
                               : io::write_mesh_zones(job.files.output, meshes, job.files.encoding);

@@ -171,7 +171,8 @@ bool copy_mesh(const std::filesystem::path& from, const std::filesystem::path& t
   const bool as_it_was = options.keep_encoding && !options.binary && options.gmsh_version.empty() &&
                          options.cgns_container.empty() && !options.zone_alone;
   if (!format || !details || details->format != format || format->files || !as_it_was) return false;
-  if (details->zones.size() > 1 || !std::filesystem::is_regular_file(from)) return false;
+  if (details->zones.size() > 1 && !format->write_zones) return false;
+  if (!std::filesystem::is_regular_file(from)) return false;
   std::ifstream in(from, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (!in) return false;

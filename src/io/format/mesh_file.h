@@ -88,7 +88,7 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
 /// Copies a mesh file that nothing has changed, so that the output has the same bytes: a writer may
 /// print the same numbers in other words. It is compressed or not as the names say. details: of the
 /// mesh that was read from `from`. Returns false, and writes nothing, where a copy is not what was
-/// asked for: for another format or encoding, one zone of several, a mesh of several files. Throws
+/// asked for: for another format or encoding, one zone alone, a mesh of several files. Throws
 /// OutputError.
 bool copy_mesh(const std::filesystem::path& from, const std::filesystem::path& to,
                const FormatDetails* details, const WriteOptions& options = {});

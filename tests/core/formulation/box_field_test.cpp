@@ -85,7 +85,7 @@ TEST_CASE("a grid that was made on purpose is smooth, however graded, curved and
 
 TEST_CASE("a jittered grid is rough, and its boxes are those of the grid") {
   const double aspect = std::exp(1.0);
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
     CAPTURE(seed);
     for (const bool space : {false, true}) {
       CAPTURE(space);

@@ -159,7 +159,7 @@ TEST_CASE("keep: a mesh is its own solution, turned and scaled as well") {
     CHECK(form->residual(turned, {}).max < 1e-11);
     CHECK(form->energy(turned) == doctest::Approx(energy).epsilon(1e-12));
     // Any other mesh has more energy.
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
       Mesh copy = mesh;
       CHECK(form->energy(shaken(copy, 0.02, seed)) > energy);
     }

@@ -219,7 +219,7 @@ TEST_CASE("layers at a wall keep their heights where the passage before it becom
 }
 
 TEST_CASE("jittered squares and cubes become squares and cubes") {
-  for (const std::uint64_t seed : {1, 2}) {
+  for (const std::uint64_t seed : {1u, 2u}) {
     CAPTURE(seed);
     const Mesh squares = jittered(make_mesh(square(12, Cells::quads)), 0.3, seed);
     REQUIRE(worst_of(squares) < 0.8);
