@@ -37,10 +37,11 @@ struct SmoothCommand {
   SmoothOptions smooth;
 };
 
-/// Moves bodies rigidly and simultaneously, each by its own motion, then smooths.
+/// Moves bodies rigidly and simultaneously, each by its own motion. The mesh follows: by default
+/// its elements keep the shapes that they have in the reference mesh (kept_shapes.h).
 struct MoveCommand {
   static constexpr std::string_view name = "move";
-  static constexpr std::string_view summary = "Move bodies rigidly, then smooth";
+  static constexpr std::string_view summary = "Move bodies rigidly, and the mesh with them";
   static constexpr bool beyond_table = true, serves_surfaces = false, serves_volumes = true;
 
   std::vector<MovingBody> bodies = std::vector<MovingBody>(1);
@@ -48,11 +49,12 @@ struct MoveCommand {
   SmoothOptions smooth;
 };
 
-/// Changes the shape of bodies, or prescribes single nodes on the boundary and inside, then
-/// smooths. Tables of nodes need no markers (node_table.h).
+/// Changes the shape of bodies, or prescribes single nodes on the boundary and inside. The mesh
+/// follows as in MoveCommand. Tables of nodes need no markers (node_table.h).
 struct DeformCommand {
   static constexpr std::string_view name = "deform";
-  static constexpr std::string_view summary = "Change the shape of bodies, then smooth";
+  static constexpr std::string_view summary =
+      "Change the shape of bodies, and move the mesh with them";
   static constexpr bool beyond_table = true, serves_surfaces = false, serves_volumes = true;
 
   std::vector<std::string> markers;

@@ -28,6 +28,9 @@ class NodeParts {
   std::vector<Index> part_of_;  // -1: none
 };
 
+/// The indices of markers. Throws UsageError for a marker that the mesh does not have.
+std::vector<Index> marker_indices(const Topology& topology, std::span<const std::string> names);
+
 /// The markers that nodes slide on, and all others, at which they stay.
 struct SlidingMarkers {
   /// Of the mesh, and behind them its interfaces where parts end or slide there.

@@ -23,12 +23,6 @@ bool outside(const Topology& topology, const Marker& marker) {
   });
 }
 
-std::vector<Index> indices_of(const Topology& topology, std::span<const std::string> names) {
-  std::vector<Index> indices;
-  for (const std::string& name : names) indices.push_back(*topology.markers().find(name));
-  return indices;
-}
-
 /// What the searches of both dimensions share.
 class FootholdSearch {
  public:
@@ -70,9 +64,9 @@ class PlaneSearch final : public FootholdSearch {
  public:
   PlaneSearch(const Topology& topology, const Coordinates& x, const FootholdQuery& query)
       : FootholdSearch(topology, query),
-        curves_(sliding_on_curves(topology, x,
-                                  {topology, indices_of(topology, query.markers), Interfaces::free},
-                                  {.angle = query.angle}, {})) {}
+        curves_(sliding_on_curves(
+            topology, x, {topology, marker_indices(topology, query.markers), Interfaces::free},
+            {.angle = query.angle}, {})) {}
 
   Footholds find() {
     for (SlidingPart& part : curves_.parts)
@@ -119,8 +113,8 @@ class SpaceSearch final : public FootholdSearch {
 
  private:
   static std::vector<Index> markers_of(const Topology& topology, const FootholdQuery& query) {
-    std::vector<Index> markers = indices_of(topology, query.markers);
-    const std::vector<Index> more = indices_of(topology, query.sliding);
+    std::vector<Index> markers = marker_indices(topology, query.markers);
+    const std::vector<Index> more = marker_indices(topology, query.sliding);
     markers.insert(markers.end(), more.begin(), more.end());
     return markers;
   }

@@ -30,13 +30,6 @@ Foot RememberedFeet::foot(Index node, const Vec3& point) const {
 
 namespace {
 
-std::vector<Index> indices_of(const Topology& topology, std::span<const std::string> names) {
-  topology.markers().nodes_of(names);  // throws for unknown markers
-  std::vector<Index> indices;
-  for (const std::string& name : names) indices.push_back(*topology.markers().find(name));
-  return indices;
-}
-
 void require_nodes(const Topology& topology, std::span<const Index> nodes) {
   for (const Index node : nodes)
     if (node < 0 || node >= topology.node_count())
@@ -82,6 +75,13 @@ void remove_held(SlidingBoundary& boundary, std::vector<Index> nodes) {
 
 }  // namespace
 
+std::vector<Index> marker_indices(const Topology& topology, std::span<const std::string> names) {
+  topology.markers().nodes_of(names);  // throws for unknown markers
+  std::vector<Index> indices;
+  for (const std::string& name : names) indices.push_back(*topology.markers().find(name));
+  return indices;
+}
+
 SlidingMarkers::SlidingMarkers(const Topology& topology, std::vector<Index> markers,
                                Interfaces interfaces)
     : all(interfaces == Interfaces::free || is_surface(topology)
@@ -118,7 +118,7 @@ SlidingBoundary SlidingBoundary::find(const Topology& topology, const Coordinate
   if (is_surface(topology) && !names.empty())
     throw UsageError("all nodes of a surface mesh slide: expected no marker, found \"" +
                      names.front() + "\"");
-  const SlidingMarkers markers(topology, indices_of(topology, names), rules.interfaces);
+  const SlidingMarkers markers(topology, marker_indices(topology, names), rules.interfaces);
   const bool plane = topology.kind() == MeshKind::plane;
   if (plane && reference)
     throw UsageError(reference->source + ": a reference surface is for meshes in space, and this " +

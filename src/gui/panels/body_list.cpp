@@ -1,4 +1,4 @@
-#include "gui/panels/body_list.h"
+#include "gui/panels/panels.h"
 
 #include "core/motion/rigid_motion.h"
 #include "gui/base/text.h"

@@ -2,7 +2,6 @@
 
 #include "core/motion/rigid_motion.h"
 #include "gui/base/text.h"
-#include "gui/panels/body_list.h"
 #include "gui/panels/forms/option_form.h"
 #include "gui/widgets/controls.h"
 

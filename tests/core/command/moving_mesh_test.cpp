@@ -27,10 +27,7 @@ MoveCommand turned(const MeshState& state, double degrees) {
 }
 
 double difference(const MeshState& a, const MeshState& b) {
-  double largest = 0;
-  const auto x = a.mesh.coordinates.values(), y = b.mesh.coordinates.values();
-  for (std::size_t k = 0; k < x.size(); ++k) largest = std::max(largest, std::abs(x[k] - y[k]));
-  return largest;
+  return largest_difference(a.mesh.coordinates, b.mesh.coordinates);
 }
 
 /// Cancels at once.

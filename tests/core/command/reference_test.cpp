@@ -7,7 +7,6 @@
 #include "core/command/moving_mesh.h"
 #include "core/drag/drag_session.h"
 #include "core/error.h"
-#include "support/layered_meshes.h"
 #include "support/meshes.h"
 #include "support/space_meshes.h"
 #include "support/wait.h"
@@ -45,10 +44,7 @@ MoveCommand turn(const MeshState& state, double degrees) {
 }
 
 double difference(const MeshState& a, const MeshState& b) {
-  double largest = 0;
-  const auto x = a.mesh.coordinates.values(), y = b.mesh.coordinates.values();
-  for (std::size_t k = 0; k < x.size(); ++k) largest = std::max(largest, std::abs(x[k] - y[k]));
-  return largest;
+  return largest_difference(a.mesh.coordinates, b.mesh.coordinates);
 }
 
 MeshState after(const Command& command, const MeshState& state) {

@@ -1,4 +1,4 @@
-#include "gui/panels/body_list.h"
+#include "gui/panels/panels.h"
 
 #include <doctest/doctest.h>
 

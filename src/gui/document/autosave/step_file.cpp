@@ -10,7 +10,7 @@ namespace winslow::gui {
 namespace {
 
 /// Also detects a different byte order.
-constexpr std::uint64_t magic = 0x0009504554534e57;  // "WNSTEP", version 9
+constexpr std::uint64_t magic = 0x000a504554534e57;  // "WNSTEP", version 10
 
 /// Processes every field of a record, for reading and writing.
 template <class Archive, class Record>
@@ -205,13 +205,13 @@ std::shared_ptr<const VirtualControlVolumes> made_of(
 /// Which parts of a state are stored.
 struct Parts {
   bool topology = false, vcv = false, layers = false, any_layers = false, spheres = false,
-       shape = false, roles = false, any_roles = false;
+       shape = false, roles = false, any_roles = false, reference = false, any_reference = false;
 };
 
 template <class Archive, class AnyParts>
 void part_fields(Archive& archive, AnyParts& parts) {
   archive.each(parts.topology, parts.vcv, parts.layers, parts.any_layers, parts.spheres,
-               parts.shape, parts.roles, parts.any_roles);
+               parts.shape, parts.roles, parts.any_roles, parts.reference, parts.any_reference);
 }
 
 Parts changed_parts(const MeshState& state, const MeshState& before) {
@@ -220,7 +220,15 @@ Parts changed_parts(const MeshState& state, const MeshState& before) {
           state.vcvs.by_hand() != before.vcvs.by_hand(),
           // The shape of the mesh as opened is recomputed.
           state.surface && before.mesh.topology && state.surface != before.surface,
-          state.roles != before.roles, state.roles != nullptr};
+          state.roles != before.roles,
+          state.roles != nullptr,
+          state.reference != before.reference,
+          state.reference != nullptr};
+}
+
+void write_coordinates(ArchiveWriter& writer, const Coordinates& x) {
+  writer.number(x.dimension());
+  writer.numbers(x.values());
 }
 
 void read_coordinates(ArchiveReader& reader, Coordinates& x) {
@@ -246,6 +254,16 @@ std::shared_ptr<const Topology> read_topology(ArchiveReader& reader, const Coord
   data.coordinates = x;
   refuse(reader, fault_of(data));
   return Topology::build(data);
+}
+
+/// Null if the state has none.
+std::shared_ptr<const Coordinates> read_reference(ArchiveReader& reader, const Parts& parts,
+                                                  const Coordinates& mesh) {
+  if (!parts.any_reference) return nullptr;
+  auto reference = std::make_shared<Coordinates>();
+  read_coordinates(reader, *reference);
+  if (!reference->alike(mesh)) reader.fail("a reference mesh of other nodes than the mesh");
+  return reference;
 }
 
 /// The state before, updated with the stored parts.
@@ -304,6 +322,7 @@ MeshState read_state(ArchiveReader& reader, const MeshState& before) {
       state.layers = std::make_shared<const LayerStack>(std::move(stack));
     }
   }
+  if (parts.reference) state.reference = read_reference(reader, parts, state.mesh.coordinates);
   return state;
 }
 
@@ -314,8 +333,7 @@ void write_step(const std::filesystem::path& path, const MeshState& state, const
   io::write_atomically(path, [&](std::ostream& out) {
     ArchiveWriter writer(out);
     writer.number(magic);
-    writer.number(state.mesh.coordinates.dimension());
-    writer.numbers(state.mesh.coordinates.values());
+    write_coordinates(writer, state.mesh.coordinates);
     const Parts parts = changed_parts(state, before);
     part_fields(writer, parts);
     if (parts.topology) {
@@ -336,6 +354,7 @@ void write_step(const std::filesystem::path& path, const MeshState& state, const
     }
     if (parts.roles && parts.any_roles) writer.numbers(*state.roles);
     if (parts.layers && parts.any_layers) layer_fields(writer, *state.layers);
+    if (parts.reference && parts.any_reference) write_coordinates(writer, *state.reference);
     result_fields(writer, smooth);
     writer.list(smooth.history, [](auto& a, auto& record) { record_fields(a, record); });
     writer.finish();

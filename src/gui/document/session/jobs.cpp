@@ -193,8 +193,17 @@ void Jobs::finish(JobRunner::Outcome outcome) {
     messages_.report_error("The command failed; the mesh is as it was before", outcome.error);
 }
 
-/// Appends the result of a command to the history, and starts the next command.
+/// Appends the result of a command to the history, and starts the next command. A motion that moves
+/// nothing is no step of the history.
 void Jobs::keep(JobRunner::Outcome outcome) {
+  if (outcome.result->smooth.nothing_moves && !queue_.active()) {
+    cut_short_.clear();
+    shown_only_ = false;
+    show_position();
+    messages_.tell(Notice::Kind::information,
+                   describe(outcome.command) + ": nothing moves, the mesh stays as it is");
+    return;
+  }
   messages_.clear_banner();
   const JobRunner& job = work_.job();
   const double reached = settle_command(outcome, job.base().mesh, job.started_elsewhere());

@@ -187,6 +187,7 @@ void Motions::on(const action::EndDrag&) {
   work_.job().hold(false);
   const auto motion = mesh_.live_motion();
   if (!motion) return;
+  if (!moves(*motion)) return jobs_.stop();  // back at the start: the mesh as it was
   const MoveCommand wanted = move_command(*motion);
   // A job that converged during the drag needs no second run, unless several steps are set.
   if (wanted.how.increments <= 1 && work_.job().converged())

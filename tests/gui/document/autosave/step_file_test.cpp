@@ -100,6 +100,30 @@ TEST_CASE("a step whose layers make no sense is refused") {
   CHECK_THROWS_AS(read_step(path, before), InputError);
 }
 
+TEST_CASE("a step keeps the reference mesh: another one, the same as before, or none") {
+  TemporaryFolder folder;
+  const auto path = folder / "step.bin";
+  const MeshState opened = make_state(ring_mesh());
+  MoveCommand command;
+  command.bodies[0].markers = {"flap"};
+  command.bodies[0].motion.rotate = 5;
+  const CommandResult once = execute(command, opened);
+  write_step(path, once.state, opened, once.smooth);
+  const MeshState read = read_step(path, opened).state;
+  REQUIRE(read.reference);
+  CHECK(*read.reference == opened.mesh.coordinates);
+  const CommandResult twice = execute(command, read);
+  write_step(path, twice.state, read, twice.smooth);
+  CHECK(read_step(path, read).state.reference == read.reference);
+  const CommandResult smoothed = execute(SmoothCommand{}, twice.state);
+  write_step(path, smoothed.state, twice.state, smoothed.smooth);
+  CHECK_FALSE(read_step(path, twice.state).state.reference);
+  MeshState wrong = once.state;
+  wrong.reference = std::make_shared<const Coordinates>(2, 3);
+  write_step(path, wrong, opened, once.smooth);
+  CHECK_THROWS_AS(read_step(path, opened), InputError);
+}
+
 TEST_CASE("elements that make no sense are refused before a mesh is built of them") {
   MeshData good;
   for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)})

@@ -34,6 +34,15 @@ TEST_CASE("a motion by numbers becomes one command of what is selected") {
   CHECK(parts.selection.pivot().isApprox(Vec2(0.1, 0)));
 }
 
+TEST_CASE("a motion by nothing is no step of the history, and leaves the mesh as it is") {
+  Flap parts;
+  const Coordinates before = parts.mesh.coordinates();
+  parts.motions.on(action::ApplyMotion{{0, Vec2(0, 0), Vec2(0, 0)}});
+  parts.finish();
+  CHECK(parts.done().position() == 0);
+  CHECK(parts.mesh.coordinates() == before);
+}
+
 TEST_CASE("nothing selected, nothing moves") {
   SessionParts parts(ring_mesh());
   parts.motions.on(action::ApplyMotion{{10, Vec2(0, 0), Vec2(0, 0)}});

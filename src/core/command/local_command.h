@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/command/command.h"
+
+/// Commands in coordinates near the mesh: execute() carries out commands on a mesh far from the
+/// origin by carry_out_in().
+namespace winslow {
+
+/// Carries out a command on a state in the state's own coordinates.
+using CarryOut = std::function<CommandResult(const Command& command, const MeshState& state,
+                                             const RunOptions& options)>;
+
+/// Executes a command in the coordinates of a frame; start, intermediate meshes and result are in
+/// those of the state. Throws as carry_out() does.
+CommandResult carry_out_in(const LocalFrame& frame, const Command& command, const MeshState& state,
+                           const RunOptions& options, const CarryOut& carry_out);
+
+}  // namespace winslow

@@ -1,0 +1,243 @@
+#include "core/formulation/target_builder.h"
+#include "core/formulation/target_shapes.h"
+#include "core/mesh/element_type.h"
+#include "core/parallel/parallel_for.h"
+#include "core/quality/metric.h"
+
+namespace winslow {
+
+namespace {
+
+/// Builds targets for the elements of volume meshes.
+class VolumeTargets : TargetBuilder {
+ public:
+  VolumeTargets(const Topology& topology, const VolumeVcvs* vcvs, const TargetBlend& blend,
+                const Coordinates* given, int threads, std::span<const Index> urgent,
+                const VolumeTargetDetails& details)
+      : TargetBuilder(topology, blend, given, threads, urgent, details.classes, details.roles, {}),
+        vcvs_(vcvs),
+        stencils_(details.stencils),
+        threads_(threads),
+        guarded_(details.guarded) {
+    if (blend_.vcv > 0 && !vcvs) throw UsageError("targets that refer to no VCVs");
+    if (refers_to_given(blend)) given_.emplace(*given);
+    targets_.stretched = stretched();
+  }
+
+  CellTargets<3> build() {
+    if (keeps()) targets_.without_shape = find_lost([&](Index e) { return has_shape(e); });
+    for (Index e = 0; e < topology_.element_count(); ++e) list_element(e);
+    targets_.terms.resize(at(targets_.offsets.back()));
+    if (keeps()) targets_.inverse_limits.resize(targets_.terms.size());
+    const auto count = static_cast<Index>(targets_.cells.size());
+    parallel_for(threads_, count, [&](Index begin, Index end) {
+      for (Index cell = begin; cell < end; ++cell) fill(cell);
+    });
+    return std::move(targets_);
+  }
+
+ private:
+  /// The origin of a cell.
+  struct Origin {
+    Index element;
+    int corner;     ///< index into corner_tetrahedra(), continued by edge_tetrahedra()
+    double weight;  ///< sum over all its terms
+  };
+
+  /// Whether no corner of an element is inverted or flat in the mesh as given.
+  bool has_shape(Index e) const {
+    return std::ranges::all_of(
+        corner_tetrahedra(topology_.element_type(e)), [&](const auto& corner) {
+          return own_metric(by_nodes(corner, topology_.element(e))).has_value();
+        });
+  }
+  bool free(Index node) const { return !topology_.on_boundary(node); }
+  /// The VCV given by hand to a node; null if there is none or the element ignores it.
+  const SphereStencil* by_hand(Index e, Index node) const {
+    if (!stencils_ || !heeds_vcvs(e)) return nullptr;
+    const auto found = stencils_->find(node);
+    return found != stencils_->end() ? &found->second : nullptr;
+  }
+  /// The share of VCVs in a target of an element at a node.
+  double vcv_share(Index e, Index node) const {
+    if (!free(node)) return 0;
+    return by_hand(e, node) ? 1 - blend_.rest : blend_.vcv;
+  }
+  /// Number of nodes of a tetrahedron with their own VCV target; 0: one common target.
+  Index vcv_terms(Index e, const std::array<Index, 4>& nodes) const {
+    if (topology_.element_type(e) != ElementType::tetrahedron) return 0;
+    if (blend_.vcv == 0 && !stencils_) return 0;
+    return static_cast<Index>(std::count_if(nodes.begin(), nodes.end(),
+                                            [&](Index node) { return vcv_share(e, node) > 0; }));
+  }
+
+  /// Lists the cells of an element and the number of terms of each.
+  void list_element(Index e) {
+    const auto corners = corner_tetrahedra(topology_.element_type(e));
+    const std::size_t first = targets_.cells.size();
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const auto nodes = by_nodes(corners[k], topology_.element(e));
+      if (!movable(nodes)) continue;
+      if (blend_.rest > 0 && !own_metric(nodes)) refuse_rest(e, "inverted or flat");
+      targets_.cells.push_back(nodes);
+      targets_.offsets.push_back(targets_.offsets.back() +
+                                 (keeps() ? 2 : std::max(vcv_terms(e, nodes), 1)));
+      origins_.push_back({e, static_cast<int>(k), 0});
+    }
+    if (std::ranges::binary_search(guarded_, e)) list_edges(e);
+    const auto live = static_cast<double>(targets_.cells.size() - first);
+    for (std::size_t cell = first; cell < origins_.size(); ++cell)
+      origins_[cell].weight = weight_of(e) / live;
+  }
+
+  void list_edges(Index e) {
+    const ElementType type = topology_.element_type(e);
+    const auto corners = corner_tetrahedra(type).size();
+    const auto edges = edge_tetrahedra(type);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const auto nodes = by_nodes(edges[k], topology_.element(e));
+      if (!movable(nodes)) continue;
+      if (blend_.rest > 0 && !own_metric(nodes)) continue;
+      targets_.cells.push_back(nodes);
+      targets_.offsets.push_back(targets_.offsets.back() + (keeps() ? 2 : 1));
+      origins_.push_back({e, static_cast<int>(corners + k), 0});
+    }
+  }
+
+  void fill(Index cell) {
+    const auto& nodes = targets_.cells[at(cell)];
+    const Index e = origins_[at(cell)].element;
+    const int corner = origins_[at(cell)].corner;
+    const double weight = origins_[at(cell)].weight;
+    VolumeTerm* term = targets_.terms.data() + targets_.offsets[at(cell)];
+    const ElementType type = topology_.element_type(e);
+    const std::size_t corners = corner_tetrahedra(type).size();
+    const bool at_edge = at(corner) >= corners;
+    const Eigen::Matrix3d& regular = at_edge ? regular_edge_metrics(type)[at(corner) - corners]
+                                             : regular_metrics(type)[at(corner)];
+    if (keeps()) {
+      fill_kept(cell, regular);
+      return;
+    }
+    const Eigen::Matrix3d common = common_part(e, corner, regular, nodes);
+    const auto at_node = [&](std::size_t k, double share) {
+      const double vcv = vcv_share(e, nodes[k]);
+      const Eigen::Matrix3d others = by_hand(e, nodes[k]) ? rest_part(nodes) : common;
+      return volume_term(normalized_metric(others + vcv * vcv_metric(e, nodes, k)), share);
+    };
+    if (const Index terms = vcv_terms(e, nodes); terms > 0) {
+      for (std::size_t k = 0; k < 4; ++k)
+        if (vcv_share(e, nodes[k]) > 0) *term++ = at_node(k, weight / static_cast<double>(terms));
+      return;
+    }
+    const bool tetrahedron = type == ElementType::tetrahedron;
+    if (!tetrahedron && !at_edge && vcv_share(e, nodes[0]) > 0) {
+      *term = at_node(0, weight);
+      return;
+    }
+    // Boundary nodes have no VCV.
+    const Eigen::Matrix3d sum = common + blend_.vcv * regular;
+    *term = volume_term(normalized_metric(sum), weight);
+  }
+
+  /// The terms of a cell under `keep`.
+  void fill_kept(Index cell, const Eigen::Matrix3d& regular) {
+    const auto [e, corner, weight] = origins_[at(cell)];
+    const auto first = at(targets_.offsets[at(cell)]);
+    const auto own = is_lost(e) ? std::nullopt : own_metric(targets_.cells[at(cell)]);
+    const auto terms =
+        kept_terms(topology_.element_type(e), regular, own.value_or(regular), weight);
+    targets_.terms[first] = terms.own;
+    targets_.terms[first + 1] = terms.guard;
+    targets_.inverse_limits[first + 1] = terms.inverse_limit;
+  }
+
+  /// Metric, over the edges from the first node, of the tetrahedron in the VCV of node `centre`
+  /// that corresponds to these nodes.
+  Eigen::Matrix3d vcv_metric(Index e, const std::array<Index, 4>& nodes, std::size_t centre) const {
+    const auto neighbours = topology_.neighbours(nodes[centre]);
+    const auto place = [&](std::size_t k) -> Vec3 {
+      if (k == centre) return {0, 0, 0};
+      const auto found = std::find(neighbours.begin(), neighbours.end(), nodes[k]);
+      const auto at_ring = static_cast<std::size_t>(found - neighbours.begin());
+      if (const SphereStencil* given = by_hand(e, nodes[centre]))
+        return given->lengths[at_ring] * given->directions[at_ring];
+      return vcvs_->point(nodes[centre], static_cast<Index>(at_ring));
+    };
+    const Vec3 origin = place(0);
+    Edges3 edges;
+    for (int k = 0; k < 3; ++k) edges.col(k) = place(at(k + 1)) - origin;
+    return volume_metric(edges);
+  }
+
+  /// The part of a target without VCVs: metrics times their shares.
+  Eigen::Matrix3d common_part(Index e, int corner, const Eigen::Matrix3d& regular,
+                              const std::array<Index, 4>& nodes) const {
+    Eigen::Matrix3d sum = blend_.element * regular;
+    if (!given_) return sum;
+    const auto own = own_metric(nodes);
+    if (blend_.automatic > 0)
+      sum += blend_.automatic * (own ? automatic(e, corner, regular, *own) : regular);
+    if (blend_.rest > 0) sum += blend_.rest * *own;
+    return sum;
+  }
+
+  Eigen::Matrix3d automatic(Index e, int corner, const Eigen::Matrix3d& regular,
+                            const Eigen::Matrix3d& own) const {
+    const auto sides = box(e);
+    if (!has_own_share(e)) return sides ? box_metric(e, corner, *sides) : regular;
+    const RelativeMetric relative(regular, own);
+    const double share = own_share(e, 0.5 * relative.stretch());
+    return sides ? RelativeMetric(box_metric(e, corner, *sides), own).between(share)
+                 : relative.between(share);
+  }
+
+  /// Metric of a corner of the box with these sides. corner: as Origin::corner.
+  Eigen::Matrix3d box_metric(Index e, int corner, const Vec3& sides) const {
+    const ElementType type = topology_.element_type(e);
+    const auto corners = corner_tetrahedra(type);
+    const auto& nodes = at(corner) < corners.size()
+                            ? corners[at(corner)]
+                            : edge_tetrahedra(type)[at(corner) - corners.size()];
+    const auto places = regular_corners(type);
+    const auto place = [&](std::size_t k) {
+      return sides.cwiseProduct(Vec3(places[at(nodes[k])].data())).eval();
+    };
+    Edges3 edges;
+    for (int k = 0; k < 3; ++k) edges.col(k) = place(at(k + 1)) - place(0);
+    return volume_metric(edges);
+  }
+
+  /// The `rest` part of a target.
+  Eigen::Matrix3d rest_part(const std::array<Index, 4>& nodes) const {
+    if (!(blend_.rest > 0)) return Eigen::Matrix3d::Zero();
+    return blend_.rest * *own_metric(nodes);
+  }
+
+  /// Metric of a corner in the mesh as given; none if it is inverted or flat.
+  std::optional<Eigen::Matrix3d> own_metric(const std::array<Index, 4>& nodes) const {
+    Edges3 edges;
+    for (int k = 0; k < 3; ++k) edges.col(k) = (*given_)[nodes[at(k + 1)]] - (*given_)[nodes[0]];
+    if (!has_metric(edges)) return std::nullopt;
+    return volume_metric(edges);
+  }
+
+  const VolumeVcvs* vcvs_;
+  const SphereStencils* stencils_;  // null: none
+  int threads_;
+  std::span<const Index> guarded_;
+  std::vector<Origin> origins_;       // of each cell
+  std::optional<SpacePoints> given_;  // if the blend refers to it
+  CellTargets<3> targets_;
+};
+
+}  // namespace
+
+CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
+                              const TargetBlend& blend, const Coordinates* given, int threads,
+                              std::span<const Index> urgent, const VolumeTargetDetails& details) {
+  require_volume(topology, "targets of volume elements: the mesh is a ");
+  return VolumeTargets(topology, vcvs, blend, given, threads, urgent, details).build();
+}
+
+}  // namespace winslow
