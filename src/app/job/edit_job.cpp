@@ -244,7 +244,7 @@ void measure(ZoneRun& zone, const QualityOptions& options) {
     zone.surface = compare_surfaces(before, zone.result.mesh, options.threads);
 }
 
-nlohmann::json describe(const std::vector<ZoneRun>& zones, const RunReport& run) {
+nlohmann::json make_report(const std::vector<ZoneRun>& zones, const RunReport& run) {
   std::vector<ZoneResult> results;
   for (const ZoneRun& zone : zones) {
     results.push_back({zone.number(), &zone.result.mesh, &zone.quality, &zone.before,
@@ -290,7 +290,7 @@ ExitCode run_edit_job(const EditJob& job) {
   save(job, zones, run);
   run.seconds.save = lap.lap();
   run.seconds.total = total.seconds();
-  if (!job.files.report.empty()) write_json(job.files.report, describe(zones, run));
+  if (!job.files.report.empty()) write_json(job.files.report, make_report(zones, run));
   const ExitCode code = judge(run, zones);
   if (!job.files.quiet) print_outcome(job.files, zones, run);
   print_verdict(job.files, zones, run, code);
