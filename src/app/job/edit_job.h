@@ -25,6 +25,9 @@ struct ZoneRun {
   std::string name() const;
 };
 
+/// Number of inverted elements of all results.
+Index inverted_elements(const std::vector<ZoneRun>& zones);
+
 /// Reads the zone of that number; 0: all zones, in the order of the file. A file without zones is
 /// one mesh. Throws what io::read_mesh throws.
 std::vector<io::MeshFile> read_zones(const std::string& path, int zone);

@@ -114,6 +114,12 @@ std::string ZoneRun::name() const {
   return number() == 0 ? "" : "zone " + std::to_string(number());
 }
 
+Index inverted_elements(const std::vector<ZoneRun>& zones) {
+  Index sum = 0;
+  for (const ZoneRun& zone : zones) sum += zone.quality.inverted;
+  return sum;
+}
+
 std::vector<io::MeshFile> read_zones(const std::string& path, int zone) {
   std::vector<io::MeshFile> files;
   files.push_back(io::read_mesh(path, {.zone = zone}));
