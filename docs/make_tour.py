@@ -30,8 +30,8 @@ ASLANT = "click tab/view\nclick view/up\nclick \"view/up/y axis\"\nkey 7\nclick 
 
 # Name: (mesh or None, script; the picture is taken at its end).
 TOUR = {
-    README_PICTURE: (WING, "click marker/flap\nfill motion/dx 0.008\nfill motion/dy -0.014\n"
-                           "fill motion/rotate -8\nclick motion/apply\nwait\n"
+    README_PICTURE: (WING, "click marker/flap\nfill motion/pivot_x 0.848\nfill motion/pivot_y -0.036\n"
+                           "fill motion/rotate -10\nclick motion/apply\nwait\n"
                            "look 0.55 0 0.62\naway\nwait\n"),
     "welcome": (None, "away\nwait\n"),  # the pictures on its cards are drawn in time
     "window": (NACA, ""),
