@@ -141,5 +141,89 @@ class Volume(ProgramTest):
         self.assertGreater(self.path("o.png").stat().st_size, 10000)
 
 
+N_LAYERED = 6
+
+
+def write_layered_block(path):
+    """Hexahedra over a floor: rows from a height of .01 on, each 1.7 times as high as the last."""
+    n = N_LAYERED
+    height = [0.01 * (1.7 ** k - 1) / 0.7 for k in range(n + 1)]
+    number = lambda i, j, k: (k * (n + 1) + j) * (n + 1) + i
+    nodes = [(i / n, j / n, height[k]) for k in range(n + 1) for j in range(n + 1)
+             for i in range(n + 1)]
+    square = lambda i, j, k: [number(i, j, k), number(i + 1, j, k), number(i + 1, j + 1, k),
+                              number(i, j + 1, k)]
+    cells = [square(i, j, k) + square(i, j, k + 1) for k in range(n) for j in range(n)
+             for i in range(n)]
+    floor = [square(i, j, 0)[::-1] for j in range(n) for i in range(n)]
+    lid = [square(i, j, n) for j in range(n) for i in range(n)]
+    sides = []
+    for k in range(n):
+        for i in range(n):
+            for a, b in (((i, 0), (i + 1, 0)), ((i + 1, n), (i, n)), ((0, i + 1), (0, i)),
+                         ((n, i), (n, i + 1))):
+                sides.append([number(*a, k), number(*b, k), number(*b, k + 1), number(*a, k + 1)])
+    lines = ["NDIME= 3", f"NELEM= {len(cells)}"]
+    lines += ["12 " + " ".join(map(str, c)) for c in cells]
+    lines += [f"NPOIN= {len(nodes)}"] + [" ".join(map(repr, p)) for p in nodes] + ["NMARK= 3"]
+    for name, faces in (("floor", floor), ("lid", lid), ("sides", sides)):
+        lines += [f"MARKER_TAG= {name}", f"MARKER_ELEMS= {len(faces)}"]
+        lines += ["9 " + " ".join(map(str, f)) for f in faces]
+    path.write_text("\n".join(lines) + "\n")
+    return nodes
+
+
+class LayersInSpace(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.nodes = write_layered_block(self.path("block.su2"))
+
+    def change(self, name):
+        """Largest change of the heights of the first two rows, away from the sides."""
+        after, n = read_nodes(self.path(name)), N_LAYERED
+        row = (n + 1) ** 2
+        inner = [j * (n + 1) + i for j in range(1, n) for i in range(1, n)]
+        return max(abs(math.dist(after[node + (k + 1) * row], after[node + k * row]) /
+                       (self.nodes[node + (k + 1) * row][2] - self.nodes[node + k * row][2]) - 1)
+                   for node in inner for k in range(2))
+
+    def test_heights_do_not_depend_on_how_far_the_wall_is_stretched(self):
+        rows = ["id,dx,dy,dz"]
+        for node, (x, y, z) in enumerate(self.nodes[:(N_LAYERED + 1) ** 2]):
+            rows.append(f"{node},{0.02 * math.sin(2 * math.pi * x)},"
+                        f"{-0.02 * math.sin(2 * math.pi * y)},0")
+        self.path("d.csv").write_text("\n".join(rows) + "\n")
+        self.winslow("deform", "block.su2", "-o", "o.su2", "--marker", "floor", "--displacements",
+                     "d.csv")
+        self.assertLess(self.change("o.su2"), 0.01)
+        self.winslow("deform", "block.su2", "-o", "o.su2", "--marker", "floor", "--displacements",
+                     "d.csv", "--targets", "rest")
+        self.assertGreater(self.change("o.su2"), 0.03)
+
+    def test_heights_are_held_on_request(self):
+        push = ("--marker", "lid", "--translate", "0", "0", "-0.08", "--slide", "sides",
+                "--slide-features")
+        self.winslow("move", "block.su2", "-o", "free.su2", *push)
+        run = self.winslow("move", "block.su2", "-o", "held.su2", *push, "--hold-layers", "floor",
+                           "--report", "r.json")
+        self.assertIn("heights of layers held within", run.stdout)
+        held = self.json("r.json")["commands"][-1]["layers_held"]
+        self.assertGreater(held["heights"], 0)
+        self.assertLess(held["largest_error"], 0.005)
+        self.assertLess(self.change("held.su2"), 0.005)
+        self.assertGreater(self.change("free.su2"), 2 * self.change("held.su2"))
+
+    def test_walls_without_layers_and_other_targets_are_refused(self):
+        write_box(self.path("box.su2"))
+        run = self.winslow("move", "box.su2", "-o", "o.su2", "--marker", "body", "--translate", "0",
+                           "0", "0.01", "--hold-layers", "body", code=USAGE)
+        self.assertIn("there are no layers at body", run.stderr)
+        run = self.winslow("move", "block.su2", "-o", "o.su2", "--marker", "lid", "--translate",
+                           "0", "0", "-0.01", "--hold-layers", "floor", "--targets", "auto",
+                           code=USAGE)
+        self.assertIn("only the targets keep hold heights", run.stderr)
+        self.assertFalse(self.path("o.su2").exists())
+
+
 if __name__ == "__main__":
     support.main()

@@ -150,6 +150,22 @@ inline MeshData cube(Index n, Volumes volumes) {
   return data;
 }
 
+/// The unit cube of 8 cubes a side with layers on its floor: the first row `first` high, each next
+/// one `ratio` times as high, .7 high in all by default.
+inline Mesh layered_cube(Volumes volumes, double first = 0.01, double ratio = 1.6) {
+  MeshData data = cube(8, volumes);
+  std::array<double, 9> height{};
+  for (std::size_t k = 0; k < 8; ++k)
+    height[k + 1] = height[k] + first * std::pow(ratio, static_cast<double>(k));
+  for (Index node = 0; node < data.node_count(); ++node) {
+    Vec3 p = data.coordinates.xyz(node);
+    const auto row = std::min<std::size_t>(7, static_cast<std::size_t>(8 * p.z()));
+    p.z() = height[row] + (8 * p.z() - static_cast<double>(row)) * (height[row + 1] - height[row]);
+    data.coordinates.set_xyz(node, p);
+  }
+  return make_mesh(data);
+}
+
 inline Vec3 random_vector(Random& random) {
   const Vec2 a = random.vector();
   return {a.x(), a.y(), random.uniform(-1, 1)};

@@ -101,6 +101,9 @@ void print_commands(const RunReport& run) {
       std::cout << ", " << c.result.prescribed_inside << " nodes inside prescribed";
     if (c.result.kept_outside > 0)
       std::cout << ", " << c.result.kept_outside << " interior nodes kept outside";
+    if (const auto& layers = c.result.layers_held)
+      std::cout << ", " << layers->heights << " heights of layers held within "
+                << 100 * layers->error << " %";
     if (c.result.stuck_nodes > 0)
       std::cout << ", " << c.result.stuck_nodes << " nodes held where the surface folds";
     if (c.result.increments > 1) std::cout << ", in " << c.result.increments << " steps";

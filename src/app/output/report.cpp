@@ -66,6 +66,11 @@ json describe_contact(const std::optional<Contact>& contact, int dimension) {
   return report;
 }
 
+json describe_layers_held(const std::optional<LayersHeld>& layers) {
+  if (!layers) return nullptr;
+  return {{"heights", layers->heights}, {"largest_error", layers->error}};
+}
+
 json describe_inversion(const std::optional<HeldInversion>& inversion) {
   if (!inversion) return {};
   return {{"element", inversion->element},
@@ -150,6 +155,7 @@ json describe_result(const CommandRecord& record) {
                  {"stretched_elements", r.stretched ? json(*r.stretched) : json()},
                  {"kept_outside", r.kept_outside},
                  {"prescribed_inside", r.prescribed_inside},
+                 {"layers_held", describe_layers_held(r.layers_held)},
                  {"stuck_nodes", r.stuck_nodes},
                  {"nothing_moves", r.nothing_moves},
                  {"without_shape", r.without_shape},

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
+#include "core/strategy/held_walls.h"
 #include "core/strategy/sliding.h"
 #include "core/strategy/smooth_run.h"
 #include "core/strategy/surface_shape.h"
@@ -216,10 +217,12 @@ CommandResult run_motion(const MeshState& state, const Motion& motion, const Bod
   require_sound(how, smooth);
   RunOptions run = options;
   run.bodies = &bodies;
-  if (state.layers && state.layers->held && how.smooth_after) {
+  const bool holds_layers = state.layers && state.layers->held;
+  if (how.smooth_after && (holds_layers || !state.held_walls.empty())) {
     CommandResult result{state, {}};
     result.state.reference = reference_of(state);
-    result.smooth = move_with_layers(result.state, motion, how, smooth, run);
+    result.smooth = (holds_layers ? move_with_layers : move_with_held_walls)(result.state, motion,
+                                                                             how, smooth, run);
     return result;
   }
   Coordinates x = starting_point(state, options);
@@ -329,6 +332,16 @@ CommandResult execute_one(const LayersCommand& command, const MeshState& state,
                           const RunOptions& options) {
   validate(command.smooth);
   CommandResult result{state, {}};
+  if (state.mesh.topology->kind() == MeshKind::volume) {
+    if (command.task != LayerTask::hold)
+      require_plane(*state.mesh.topology, "layers that are inserted or spaced anew");
+    hold_walls(command.layers.walls, result.state);
+    result.smooth.converged = true;
+    result.smooth.inverted =
+        check_validity(*state.mesh.topology, state.mesh.coordinates, command.smooth.threads)
+            .inverted;
+    return result;
+  }
   result.smooth = run_layers(command, result.state, options);
   return result;
 }
@@ -359,9 +372,11 @@ CommandResult unchanged(const MeshState& state) {
   return result;
 }
 
-/// Motions and scrambles leave the reference mesh as it is; the result of every other command is
-/// the next reference mesh.
+/// Motions and scrambles leave the reference mesh as it is, and so does a command that only holds
+/// layers; the result of every other command is the next reference mesh.
 bool keeps_reference(const Command& command) {
+  if (const auto* layers = std::get_if<LayersCommand>(&command))
+    return layers->task == LayerTask::hold;
   return std::visit(
       [](const auto& c) {
         return requires { c.how; }

@@ -87,12 +87,12 @@ struct EditVcvCommand {
 };
 
 /// Inserts layers of quadrilaterals at walls, or respaces or holds existing layers, then smooths.
-/// AIAA 2009-1362, cases E and F.
+/// In a volume mesh it can only hold layers. AIAA 2009-1362, cases E and F.
 struct LayersCommand : LayerRequest {
   static constexpr std::string_view name = "layers";
   static constexpr std::string_view summary =
       "Insert viscous layers at walls: quadrilaterals of wanted heights";
-  static constexpr bool beyond_table = true, serves_surfaces = false, serves_volumes = false;
+  static constexpr bool beyond_table = true, serves_surfaces = false, serves_volumes = true;
 };
 
 using Command = std::variant<SmoothCommand, MoveCommand, DeformCommand, ScrambleCommand,

@@ -86,6 +86,7 @@ CommandResult carry_out_in(const LocalFrame& frame, const Command& command, cons
                            const RunOptions& options, const CarryOut& carry_out) {
   check_places(command, state);
   MeshState local{frame.to_local(state.mesh), state.vcvs, state.roles, state.layers};
+  local.held_walls = state.held_walls;
   if (state.reference)
     local.reference = std::make_shared<const Coordinates>(frame.to_local(*state.reference));
   MonitorInFrame monitor(options.monitor, frame, state.mesh.coordinates);

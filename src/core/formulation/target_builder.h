@@ -4,6 +4,7 @@
 #include "core/formulation/kept_shapes.h"
 #include "core/formulation/stretch_field.h"
 #include "core/formulation/target_metric.h"
+#include "core/formulation/wall_stretch.h"
 #include "core/problem/node_classes.h"
 
 /// The base of the classes that build targets: of faces (target_shapes.cpp) and of volume elements
@@ -16,8 +17,13 @@ class TargetBuilder {
   /// given: null if the blend does not refer to it. normals: of the elements of a surface mesh.
   TargetBuilder(const Topology& topology, const TargetBlend& blend, const Coordinates* given,
                 int threads, std::span<const Index> urgent, const NodeClasses* classes,
-                const ElementRoles* roles, std::span<const Vec3> normals)
-      : topology_(topology), blend_(normalized(blend)), classes_(classes), roles_(roles) {
+                const ElementRoles* roles, std::span<const Vec3> normals,
+                const WallStretch* wall_stretch)
+      : topology_(topology),
+        blend_(normalized(blend)),
+        classes_(classes),
+        wall_stretch_(blend_.keep > 0 ? wall_stretch : nullptr),
+        roles_(roles) {
     require_role_of_each(roles, topology);
     if (refers_to_given(blend) && !given) throw UsageError("targets that refer to no mesh");
     if (blend.automatic == 0) return;
@@ -33,6 +39,11 @@ class TargetBuilder {
     });
   }
   bool keeps() const { return blend_.keep > 0; }
+  /// An edge of an element in the mesh as given, as long as a stretched wall makes it.
+  Vec3 with_wall(Index e, const Vec3& edge) const {
+    const Eigen::Matrix3d* map = wall_stretch_ ? wall_stretch_->map_of(e) : nullptr;
+    return map ? Vec3(*map * edge) : edge;
+  }
   bool is_layer(Index e) const {
     const ElementRole role = role_of(roles_, e);
     return role == ElementRole::layer || role == ElementRole::found_layer;
@@ -40,7 +51,10 @@ class TargetBuilder {
   bool heeds_vcvs(Index e) const {
     return keeps() ? is_layer(e) : !ignores_vcvs(role_of(roles_, e));
   }
-  double weight_of(Index e) const { return element_weight(e, blend_, stretch_, roles_); }
+  double weight_of(Index e) const {
+    const double stiffness = wall_stretch_ ? wall_stretch_->stiffness_of(e) : 1;
+    return stiffness * element_weight(e, blend_, stretch_, roles_);
+  }
   /// CellTargets::stretched.
   std::optional<double> stretched() const {
     return blend_.automatic > 0 ? std::optional(stretch_.stretched) : std::nullopt;
@@ -84,9 +98,10 @@ class TargetBuilder {
   const NodeClasses* classes_;  // null: nothing slides
 
  private:
-  const ElementRoles* roles_;  // null: all ordinary
-  StretchField stretch_;       // if the blend has an `automatic` share
-  std::vector<bool> lost_;     // #elements, under `keep`: it has no shape of its own
+  const WallStretch* wall_stretch_;  // null: no wall is stretched
+  const ElementRoles* roles_;        // null: all ordinary
+  StretchField stretch_;             // if the blend has an `automatic` share
+  std::vector<bool> lost_;           // #elements, under `keep`: it has no shape of its own
 };
 
 }  // namespace winslow

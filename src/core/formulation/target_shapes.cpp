@@ -13,8 +13,10 @@ class FaceTargets : TargetBuilder {
  public:
   FaceTargets(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* given,
               int threads, std::span<const Index> urgent, const NodeClasses* classes,
-              std::span<const Vec3> normals, const ElementRoles* roles)
-      : TargetBuilder(vcv.topology(), blend, given, threads, urgent, classes, roles, normals),
+              std::span<const Vec3> normals, const ElementRoles* roles,
+              const WallStretch* wall_stretch)
+      : TargetBuilder(vcv.topology(), blend, given, threads, urgent, classes, roles, normals,
+                      wall_stretch),
         vcv_(vcv),
         given_(given),
         normals_(normals) {
@@ -66,10 +68,12 @@ class FaceTargets : TargetBuilder {
     metric.add(blend_.rest, *own);
   }
 
-  /// Metric of a corner in the mesh as given; none if it is inverted.
+  /// Metric of a corner in the mesh as given, with the stretch of a wall under it; none if it is
+  /// inverted.
   std::optional<TargetMetric> own_metric(const std::array<Index, 3>& nodes, Index e) const {
     const Vec3 first = place_of(*given_, nodes[0]);
-    const Vec3 m1 = place_of(*given_, nodes[1]) - first, m2 = place_of(*given_, nodes[2]) - first;
+    const Vec3 m1 = with_wall(e, place_of(*given_, nodes[1]) - first);
+    const Vec3 m2 = with_wall(e, place_of(*given_, nodes[2]) - first);
     const Vec3 area = m1.cross(m2), normal = normals_.empty() ? Vec3::UnitZ() : normals_[at(e)];
     if (!(area.norm() > 0) || is_turned_over(area, normal)) return std::nullopt;
     return TargetMetric::of(m1, m2);
@@ -280,8 +284,10 @@ class FaceTargets : TargetBuilder {
 TargetShapes TargetShapes::build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
                                  const Coordinates* given, int threads,
                                  std::span<const Index> urgent, const NodeClasses* classes,
-                                 std::span<const Vec3> normals, const ElementRoles* roles) {
-  return FaceTargets(vcv, blend, given, threads, urgent, classes, normals, roles).build();
+                                 std::span<const Vec3> normals, const ElementRoles* roles,
+                                 const WallStretch* wall_stretch) {
+  return FaceTargets(vcv, blend, given, threads, urgent, classes, normals, roles, wall_stretch)
+      .build();
 }
 
 }  // namespace winslow

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/formulation/cell_targets.h"
+#include "core/formulation/wall_stretch.h"
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
-#include "core/problem/node_classes.h"
 #include "core/types.h"
 #include "core/vcv/sphere/volume_vcvs.h"
 #include "core/vcv/virtual_control_volumes.h"
@@ -26,14 +26,15 @@ struct TargetShapes : CellTargets<2> {
   /// whose weight under `automatic` is multiplied by four for each time they are listed. classes:
   /// which nodes move; null: only interior nodes. normals: for a surface mesh, those of its
   /// elements in the mesh as given (ElementNormals); needed if `given` is. roles: of the elements;
-  /// null: all ordinary. Throws UsageError for shares that are negative or all zero, MeshError if
-  /// `rest` counts and the mesh has an inverted element.
+  /// null: all ordinary. wall_stretch: for the share `keep`; null: no wall is stretched. Throws
+  /// UsageError for shares that are negative or all zero, MeshError if `rest` counts and the mesh
+  /// has an inverted element.
   static TargetShapes build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
                             const Coordinates* given, int threads = 0,
                             std::span<const Index> urgent = {},
                             const NodeClasses* classes = nullptr,
-                            std::span<const Vec3> normals = {},
-                            const ElementRoles* roles = nullptr);
+                            std::span<const Vec3> normals = {}, const ElementRoles* roles = nullptr,
+                            const WallStretch* wall_stretch = nullptr);
 };
 
 /// Properties of single nodes and elements.
@@ -44,6 +45,8 @@ struct VolumeTargetDetails {
   /// invert between their corners.
   std::span<const Index> guarded = {};
   const ElementRoles* roles = nullptr;  ///< of all elements; null: all ordinary
+  /// For the share `keep`; null: no wall is stretched.
+  const WallStretch* wall_stretch = nullptr;
 };
 
 /// Targets of a volume mesh as the blend says: one for each tetrahedron, one for each corner of the

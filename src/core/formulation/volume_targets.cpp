@@ -14,7 +14,8 @@ class VolumeTargets : TargetBuilder {
   VolumeTargets(const Topology& topology, const VolumeVcvs* vcvs, const TargetBlend& blend,
                 const Coordinates* given, int threads, std::span<const Index> urgent,
                 const VolumeTargetDetails& details)
-      : TargetBuilder(topology, blend, given, threads, urgent, details.classes, details.roles, {}),
+      : TargetBuilder(topology, blend, given, threads, urgent, details.classes, details.roles, {},
+                      details.wall_stretch),
         vcvs_(vcvs),
         stencils_(details.stencils),
         threads_(threads),
@@ -48,7 +49,7 @@ class VolumeTargets : TargetBuilder {
   bool has_shape(Index e) const {
     return std::ranges::all_of(
         corner_tetrahedra(topology_.element_type(e)), [&](const auto& corner) {
-          return own_metric(by_nodes(corner, topology_.element(e))).has_value();
+          return own_metric(e, by_nodes(corner, topology_.element(e))).has_value();
         });
   }
   bool free(Index node) const { return !topology_.on_boundary(node); }
@@ -78,7 +79,7 @@ class VolumeTargets : TargetBuilder {
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const auto nodes = by_nodes(corners[k], topology_.element(e));
       if (!movable(nodes)) continue;
-      if (blend_.rest > 0 && !own_metric(nodes)) refuse_rest(e, "inverted or flat");
+      if (blend_.rest > 0 && !own_metric(e, nodes)) refuse_rest(e, "inverted or flat");
       targets_.cells.push_back(nodes);
       targets_.offsets.push_back(targets_.offsets.back() +
                                  (keeps() ? 2 : std::max(vcv_terms(e, nodes), 1)));
@@ -97,7 +98,7 @@ class VolumeTargets : TargetBuilder {
     for (std::size_t k = 0; k < edges.size(); ++k) {
       const auto nodes = by_nodes(edges[k], topology_.element(e));
       if (!movable(nodes)) continue;
-      if (blend_.rest > 0 && !own_metric(nodes)) continue;
+      if (blend_.rest > 0 && !own_metric(e, nodes)) continue;
       targets_.cells.push_back(nodes);
       targets_.offsets.push_back(targets_.offsets.back() + (keeps() ? 2 : 1));
       origins_.push_back({e, static_cast<int>(corners + k), 0});
@@ -122,7 +123,7 @@ class VolumeTargets : TargetBuilder {
     const Eigen::Matrix3d common = common_part(e, corner, regular, nodes);
     const auto at_node = [&](std::size_t k, double share) {
       const double vcv = vcv_share(e, nodes[k]);
-      const Eigen::Matrix3d others = by_hand(e, nodes[k]) ? rest_part(nodes) : common;
+      const Eigen::Matrix3d others = by_hand(e, nodes[k]) ? rest_part(e, nodes) : common;
       return volume_term(normalized_metric(others + vcv * vcv_metric(e, nodes, k)), share);
     };
     if (const Index terms = vcv_terms(e, nodes); terms > 0) {
@@ -144,7 +145,7 @@ class VolumeTargets : TargetBuilder {
   void fill_kept(Index cell, const Eigen::Matrix3d& regular) {
     const auto [e, corner, weight] = origins_[at(cell)];
     const auto first = at(targets_.offsets[at(cell)]);
-    const auto own = is_lost(e) ? std::nullopt : own_metric(targets_.cells[at(cell)]);
+    const auto own = is_lost(e) ? std::nullopt : own_metric(e, targets_.cells[at(cell)]);
     const auto terms =
         kept_terms(topology_.element_type(e), regular, own.value_or(regular), weight);
     targets_.terms[first] = terms.own;
@@ -175,7 +176,7 @@ class VolumeTargets : TargetBuilder {
                               const std::array<Index, 4>& nodes) const {
     Eigen::Matrix3d sum = blend_.element * regular;
     if (!given_) return sum;
-    const auto own = own_metric(nodes);
+    const auto own = own_metric(e, nodes);
     if (blend_.automatic > 0)
       sum += blend_.automatic * (own ? automatic(e, corner, regular, *own) : regular);
     if (blend_.rest > 0) sum += blend_.rest * *own;
@@ -209,15 +210,17 @@ class VolumeTargets : TargetBuilder {
   }
 
   /// The `rest` part of a target.
-  Eigen::Matrix3d rest_part(const std::array<Index, 4>& nodes) const {
+  Eigen::Matrix3d rest_part(Index e, const std::array<Index, 4>& nodes) const {
     if (!(blend_.rest > 0)) return Eigen::Matrix3d::Zero();
-    return blend_.rest * *own_metric(nodes);
+    return blend_.rest * *own_metric(e, nodes);
   }
 
-  /// Metric of a corner in the mesh as given; none if it is inverted or flat.
-  std::optional<Eigen::Matrix3d> own_metric(const std::array<Index, 4>& nodes) const {
+  /// Metric of a corner in the mesh as given, with the stretch of a wall under it; none if it is
+  /// inverted or flat.
+  std::optional<Eigen::Matrix3d> own_metric(Index e, const std::array<Index, 4>& nodes) const {
     Edges3 edges;
-    for (int k = 0; k < 3; ++k) edges.col(k) = (*given_)[nodes[at(k + 1)]] - (*given_)[nodes[0]];
+    for (int k = 0; k < 3; ++k)
+      edges.col(k) = with_wall(e, (*given_)[nodes[at(k + 1)]] - (*given_)[nodes[0]]);
     if (!has_metric(edges)) return std::nullopt;
     return volume_metric(edges);
   }

@@ -50,7 +50,8 @@ struct MeshState {
   Vcvs vcvs = {};
   /// Roles of the elements in the targets of a run: in layers, beside layers. Null: none.
   std::shared_ptr<const ElementRoles> roles = nullptr;
-  /// Layers that were inserted; if they are held, every motion keeps their spacing. Null: none.
+  /// Layers of a plane mesh that were inserted; if they are held, every motion keeps their spacing.
+  /// Null: none.
   std::shared_ptr<const LayerStack> layers = nullptr;
   /// The shape on which the nodes of a surface mesh stay, from the first smoothing on. Null: not
   /// found yet, or another kind of mesh.
@@ -59,6 +60,9 @@ struct MeshState {
   /// It is the mesh as opened, or as the last smoothing or insertion of layers left it; motions do
   /// not change it. Null: the mesh itself.
   std::shared_ptr<const Coordinates> reference = nullptr;
+  /// Markers of a volume mesh at which every motion holds the heights of the layers
+  /// (held_walls.h).
+  std::vector<std::string> held_walls = {};
 };
 /// The reference mesh of a state.
 inline std::shared_ptr<const Coordinates> reference_of(const MeshState& state) {

@@ -109,6 +109,9 @@ struct RunOptions {
   /// Fixed nodes (ascending), for a command with several runs: determined once, in the initial
   /// mesh. Null: those of SmoothOptions::keep_outside in the mesh of this run.
   const std::vector<Index>* kept = nullptr;
+  /// Factors of the heights of layers in the targets (WallStretch::find()), for a run that corrects
+  /// heights. Null: none.
+  const std::vector<double>* layer_factors = nullptr;
 };
 
 /// How a smoothing run ended.
@@ -132,6 +135,12 @@ struct RunOutcome {
   Index inverted = 0;
 };
 
+/// How well a motion held the heights of layers (held_walls.h).
+struct LayersHeld {
+  Index heights = 0;  ///< number of them: edges up the columns of layers
+  double error = 0;   ///< largest |height / height in the reference mesh - 1|
+};
+
 /// The result of a smoothing run.
 struct SmoothResult : RunOutcome {
   int outer_iterations = 0;
@@ -142,6 +151,7 @@ struct SmoothResult : RunOutcome {
   MovingBoundary boundary;      ///< how nodes of the boundary slid or were paired
   Index kept_outside = 0;       ///< interior nodes that SmoothOptions::keep_outside fixed
   Index prescribed_inside = 0;  ///< interior nodes that the motion takes
+  std::optional<LayersHeld> layers_held;  ///< at held walls of a volume mesh; none: no walls held
   std::vector<IterationRecord> history;
 };
 

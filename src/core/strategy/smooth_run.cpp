@@ -284,6 +284,39 @@ void follow_with_vcvs(const MeshState& state, SmoothingWorkspace& workspace, Run
   update_vcvs(state.mesh.coordinates, workspace, recorder, solve, x);
 }
 
+/// How the walls were stretched from the reference mesh to their positions in the state, or by a
+/// motion; null: not at all, or the targets do not depend on it.
+std::shared_ptr<const WallStretch> wall_stretch(const MeshState& state, const NodeClasses& classes,
+                                                const SmoothOptions& options, const Motion* motion,
+                                                const RunOptions& run, double fraction = 1) {
+  if (options.targets.keep == 0 || is_surface(classes.topology())) return nullptr;
+  Coordinates moved = state.mesh.coordinates;
+  if (motion) motion->apply(state.mesh.coordinates, fraction, moved);
+  return WallStretch::find(
+      classes, *reference_of(state), moved,
+      run.layer_factors ? std::span<const double>(*run.layer_factors) : std::span<const double>());
+}
+
+/// Smooths the mesh of a motion that ended early: its targets were those for the walls at the end
+/// of the motion. Keeps the mesh if that fails.
+void fit_to_walls_reached(const MeshState& state, const Motion& motion,
+                          const std::shared_ptr<const NodeClasses>& classes, const RunOptions& run,
+                          SmoothingWorkspace& workspace, RunRecorder& recorder, Coordinates& x) {
+  const SmoothResult& result = recorder.result();
+  const double reached = result.fraction_reached;
+  if (result.inverted > 0 || reached <= 0 || recorder.remaining() <= 0) return;
+  const SmoothOptions options = workspace.options();
+  if (!wall_stretch(state, *classes, options, &motion, run)) return;
+  workspace.prepare(state, classes, options, state.reference,
+                    wall_stretch(state, *classes, options, &motion, run, reached));
+  const RunOutcome outcome = result;
+  Coordinates end_of_path = x;
+  make_newton_run(state, workspace, recorder)->smooth(x, reached, nullptr);
+  if (result.converged && result.inverted == 0) return;
+  x = std::move(end_of_path);
+  recorder.restore_outcome(outcome);
+}
+
 /// CellTargets::stretched of a run by Newton's method.
 std::optional<double> stretched(SmoothingWorkspace& workspace) {
   if (workspace.options().formulation != Formulation::variational) return std::nullopt;
@@ -320,7 +353,8 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& asked,
   SmoothingWorkspace& workspace = (run.cache ? *run.cache : own).workspace();
   CurveRows none;
   const auto classes = classes_of(state, nullptr, options, run, result, none);
-  workspace.prepare(state, classes, options, options.targets.keep > 0 ? state.reference : nullptr);
+  workspace.prepare(state, classes, options, options.targets.keep > 0 ? state.reference : nullptr,
+                    wall_stretch(state, *classes, options, nullptr, run));
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes,
                                    result.boundary.interfaces, x);
   RunRecorder recorder(run.monitor, result, budget(options));
@@ -347,7 +381,8 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
   SmoothingWorkspace& workspace = (run.cache ? *run.cache : own).workspace();
   CurveRows rows;
   const auto classes = classes_of(state, &bodies, options, run, result, rows);
-  workspace.prepare(state, classes, options, state.reference);
+  workspace.prepare(state, classes, options, state.reference,
+                    wall_stretch(state, *classes, options, &bodies, run));
   const auto with_held_rows = rows.empty() ? nullptr : with_rows(bodies, rows);
   const Motion& motion = with_held_rows ? *with_held_rows : bodies;
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes,
@@ -377,6 +412,8 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
     if (along_path) x = state.mesh.coordinates;
     steps->move(motion, state.mesh.coordinates, how.increments, x);
   }
+  if (result.fraction_reached < 1 && !how.floor.given())
+    fit_to_walls_reached(state, motion, classes, run, workspace, recorder, x);
   if (along_path && ended_by(inversion, result)) take_if_first(inversion, result);
   if (!how.floor.given()) follow_with_vcvs(state, workspace, recorder, x);
   result.stretched = stretched(workspace);

@@ -36,7 +36,8 @@ bool same_unknowns(const std::shared_ptr<const NodeClasses>& a, const NodeClasse
 void SmoothingWorkspace::prepare(const MeshState& state,
                                  const std::shared_ptr<const NodeClasses>& classes,
                                  const SmoothOptions& options,
-                                 const std::shared_ptr<const Coordinates>& reference) {
+                                 const std::shared_ptr<const Coordinates>& reference,
+                                 std::shared_ptr<const WallStretch> wall_stretch) {
   run_ = {};
   if (!classes_ || classes_->shared_topology() != classes->shared_topology())
     made_ = {};  // frees memory: the keys have changed
@@ -45,6 +46,7 @@ void SmoothingWorkspace::prepare(const MeshState& state,
   options_ = options;
   vcvs_ = state.vcvs;
   roles_ = state.roles;
+  wall_stretch_ = std::move(wall_stretch);
   const Coordinates& given = reference ? *reference : state.mesh.coordinates;
   const bool needs_given = in_space() || refers_to_given(options.targets);
   if (!needs_given)
@@ -159,7 +161,8 @@ SmoothingWorkspace::FormKey SmoothingWorkspace::form_key() {
           targets.vcv > 0 ? volume_vcvs() : nullptr,
           vcvs_.by_hand(),
           roles_,
-          run_.urgent};
+          run_.urgent,
+          wall_stretch_};
 }
 
 template <typename Form>
@@ -175,16 +178,18 @@ std::shared_ptr<const VariationalForm> SmoothingWorkspace::make_form(const FormK
   const NodeClasses* classes = key.pattern.unknowns.get();
   const int threads = key.pattern.threads;
   if (!key.plane_vcvs) {  // of a volume mesh
-    const CellTargets<3> targets = volume_targets(
-        classes->topology(), key.space_vcvs.get(), key.targets, key.given.get(), threads,
-        key.urgent, {classes, key.stencils.get(), key.pattern.guarded, key.roles.get()});
+    const CellTargets<3> targets = volume_targets(classes->topology(), key.space_vcvs.get(),
+                                                  key.targets, key.given.get(), threads, key.urgent,
+                                                  {classes, key.stencils.get(), key.pattern.guarded,
+                                                   key.roles.get(), key.wall_stretch.get()});
     return std::make_shared<const VolumeWinslow>(
         energy_pattern<VolumeWinslow>(key.pattern, targets), targets, options_.penalty);
   }
   const auto normals =
       key.given ? element_normals(*classes, *key.given, threads) : std::vector<Vec3>();
-  TargetShapes targets = TargetShapes::build(*key.plane_vcvs, key.targets, key.given.get(), threads,
-                                             key.urgent, classes, normals, key.roles.get());
+  TargetShapes targets =
+      TargetShapes::build(*key.plane_vcvs, key.targets, key.given.get(), threads, key.urgent,
+                          classes, normals, key.roles.get(), key.wall_stretch.get());
   if (!is_surface(classes->topology()))
     return std::make_shared<const VariationalWinslow>(
         energy_pattern<VariationalWinslow>(key.pattern, targets), targets, options_.penalty);

@@ -3,6 +3,7 @@
 #include "core/formulation/pointwise_winslow.h"
 #include "core/formulation/surface_winslow.h"
 #include "core/formulation/variational_winslow.h"
+#include "core/formulation/wall_stretch.h"
 #include "core/linear/linear_solver.h"
 #include "core/outer/energy_newton.h"
 #include "core/outer/equation_newton.h"
@@ -68,8 +69,8 @@ VolumeVcvOptions volume_vcv_options(const SmoothOptions& options);
 ///
 ///   pattern         which nodes move, guarded elements
 ///   VCVs            of volume meshes: kind, mesh as given, stencils by hand, adjustments
-///   energy          pattern, targets, mesh as given, VCVs, roles of elements, elements that
-///                   count more, penalty
+///   energy          pattern, targets, mesh as given, stretch of walls, VCVs, roles of elements,
+///                   elements that count more, penalty
 ///   pointwise form  pattern, VCVs
 ///   linear solvers  which nodes move, options
 ///   outer solvers   form, linear solver; new ones for each run
@@ -81,10 +82,12 @@ class SmoothingWorkspace {
   /// Begins a run with its inputs. state: the targets and the VCVs of a volume mesh refer to its
   /// mesh, which is copied if needed, or to `reference` if that is not null. The VCVs, of the kind
   /// in the options, are made when an equation first needs them; those given by hand come from the
-  /// state. classes: which nodes move.
+  /// state. classes: which nodes move. wall_stretch: for targets `keep`; null: no wall is
+  /// stretched.
   void prepare(const MeshState& state, const std::shared_ptr<const NodeClasses>& classes,
                const SmoothOptions& options,
-               const std::shared_ptr<const Coordinates>& reference = nullptr);
+               const std::shared_ptr<const Coordinates>& reference = nullptr,
+               std::shared_ptr<const WallStretch> wall_stretch = nullptr);
 
   /// Until the next prepare(), multiplies the weight of these elements under `auto` targets by four
   /// for each time they are listed.
@@ -204,6 +207,7 @@ class SmoothingWorkspace {
     Stencils stencils;
     std::shared_ptr<const ElementRoles> roles;
     std::vector<Index> urgent;
+    std::shared_ptr<const WallStretch> wall_stretch;
     bool operator==(const FormKey&) const = default;
   };
   struct EnergyKey {
@@ -259,6 +263,7 @@ class SmoothingWorkspace {
   Vcvs vcvs_;
   std::shared_ptr<const ElementRoles> roles_;
   GivenMesh given_;  // null: nothing refers to it
+  std::shared_ptr<const WallStretch> wall_stretch_;
   Run run_;
   Products made_;
 };

@@ -81,7 +81,7 @@ std::vector<UserCommand> moving(const std::vector<Index>& markers) {
             "Keep the heights that its layers have, whatever moves.",
             [markers](const PanelContext& c) { hold_layers(c, markers); },
             {.blocked = [markers](const PanelContext& c) { return cannot_hold_layers(c, markers); },
-             .serves = plane_meshes}),
+             .serves = movable_meshes}),
   };
 }
 

@@ -55,10 +55,11 @@ std::vector<LayerWall> wall_of(const PanelContext& context, const std::vector<In
   return {wall};
 }
 
-/// The selected markers, or else all markers with adjacent quadrilaterals.
+/// The selected markers, or else all markers with adjacent quadrilaterals (in a plane mesh).
 std::vector<Index> walls_meant(const PanelContext& context) {
   if (!context.session.selection().empty()) return context.session.selection().markers();
   std::vector<Index> walls;
+  if (context.topology()->kind() != MeshKind::plane) return walls;
   const auto count = static_cast<Index>(context.topology()->markers().size());
   for (Index m = 0; m < count; ++m)
     if (may_have_layers(*context.topology(), wall_of(context, {m}))) walls.push_back(m);
@@ -90,6 +91,14 @@ UserCommand color_by(LayerField field, const char* id, const char* label, const 
 std::string cannot_hold_layers(const PanelContext& context, const std::vector<Index>& markers) {
   if (std::string busy = while_busy(context); !busy.empty()) return busy;
   const std::vector<LayerWall> walls = wall_of(context, markers);
+  if (context.topology()->kind() == MeshKind::volume) {
+    if (markers.empty()) return "Select the walls first.";
+    const auto& held = context.session.mesh().document()->state().held_walls;
+    const bool all = std::ranges::all_of(walls[0].markers, [&](const std::string& name) {
+      return std::ranges::find(held, name) != held.end();
+    });
+    return all ? "These layers are held already." : "";
+  }
   if (!may_have_layers(*context.topology(), walls)) return no_quadrilaterals;
   return context.session.layers().all_held(walls) ? "These layers are held already." : "";
 }
@@ -127,14 +136,14 @@ std::vector<UserCommand> layer_commands() {
                                                  no_quadrilaterals)}),
              .serves = plane_meshes}),
       entry("hold_layers", "Hold layers", {},
-            "Keep the heights that layers have, whatever moves: of the selected walls or, where "
-            "nothing is selected, of all.",
+            "Keep the heights that layers have, whatever moves: of the selected walls or, in a plane "
+            "mesh where nothing is selected, of all.",
             [](const PanelContext& c) { hold_layers(c, walls_meant(c)); },
             {.words = "keep freeze lock height wall",
              .blocked = first_of(
                  {without_mesh,
                   [](const PanelContext& c) { return cannot_hold_layers(c, walls_meant(c)); }}),
-             .serves = plane_meshes}),
+             .serves = movable_meshes}),
       entry("layers_panel", "Panel of layers", {},
             "Show the panel \"Layers\", with all that it says of them.",
             emits(action::EditField{"layers/"}),

@@ -271,15 +271,35 @@ LayerOptions layers_at(const Mesh& mesh, bool match_outside) {
 
 TEST_CASE("commands are refused by their names on meshes that are not plane") {
   for (const Command& command : all_commands()) {
-    const bool serves_volumes = !std::holds_alternative<LayersCommand>(command);
     if (std::holds_alternative<SmoothCommand>(command) ||
         std::holds_alternative<ScrambleCommand>(command) ||
         std::holds_alternative<EditVcvCommand>(command))
       continue;  // of surface meshes, too
     check_refused(
         std::string(command_name(command)),
-        [&](const Mesh& mesh) { execute(command, state_of(mesh)); }, !serves_volumes);
+        [&](const Mesh& mesh) { execute(command, state_of(mesh)); }, false);
   }
+}
+
+TEST_CASE("in a volume mesh layers can only be held") {
+  const MeshState state = make_state(make_mesh(cube(2, Volumes::hexahedra)));
+  LayersCommand layers;
+  layers.layers.walls = {{{"floor"}, {}}};
+  for (const LayerTask task : {LayerTask::insert, LayerTask::respace}) {
+    layers.task = task;
+    CHECK_THROWS_WITH_AS(execute(layers, state),
+                         "layers that are inserted or spaced anew: only for a plane mesh, and this "
+                         "is a volume mesh",
+                         UsageError);
+  }
+  layers.task = LayerTask::hold;
+  CHECK_THROWS_WITH_AS(
+      execute(layers, state),
+      "there are no layers at floor: no elements that are 1.65 times as long along "
+      "the wall as high",
+      UsageError);
+  layers.layers.walls = {{{"flor"}, {}}};
+  CHECK_THROWS_AS(execute(layers, state), UsageError);
 }
 
 TEST_CASE("what volume meshes cannot do yet is refused by its name") {

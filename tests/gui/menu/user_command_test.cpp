@@ -6,6 +6,7 @@
 #include "gui/menu/user_command.h"
 #include "gui/panels/files/file_dialog.h"
 #include "gui/support/rig.h"
+#include "support/space_meshes.h"
 
 namespace winslow::gui::test {
 
@@ -276,6 +277,24 @@ TEST_CASE("menus name the program's purpose: motion and layers") {
   REQUIRE(rig.settle());
   REQUIRE(rig.session().layers().preview().wanted());
   CHECK(rig.session().layers().preview().wanted()->walls.front().spacing.count == 7);
+}
+
+TEST_CASE("in a volume mesh the layers of selected walls can be held, and held once") {
+  Rig rig;
+  rig.open(winslow::test::layered_cube(winslow::test::Volumes::prisms));
+  rig.click("menu/Layers");
+  CHECK(rig.visible("menu/hold_layers"));
+  rig.key(keys::escape);
+  CHECK(cannot_hold_layers(View(rig).context, {}) == "Select the walls first.");
+  const std::vector<Index> floor{rig.marker("floor")};
+  CHECK(cannot_hold_layers(View(rig).context, floor).empty());
+  rig.bench->apply(action::SelectMarkers{floor});
+  rig.frames();
+  rig.click("menu/Layers");
+  rig.click("menu/hold_layers");
+  REQUIRE(rig.settle());
+  CHECK(rig.document().state().held_walls == std::vector<std::string>{"floor"});
+  CHECK(cannot_hold_layers(View(rig).context, floor) == "These layers are held already.");
 }
 
 namespace {

@@ -220,9 +220,7 @@ Parts changed_parts(const MeshState& state, const MeshState& before) {
           state.vcvs.by_hand() != before.vcvs.by_hand(),
           // The shape of the mesh as opened is recomputed.
           state.surface && before.mesh.topology && state.surface != before.surface,
-          state.roles != before.roles,
-          state.roles != nullptr,
-          state.reference != before.reference,
+          state.roles != before.roles, state.roles != nullptr, state.reference != before.reference,
           state.reference != nullptr};
 }
 
@@ -323,6 +321,8 @@ MeshState read_state(ArchiveReader& reader, const MeshState& before) {
     }
   }
   if (parts.reference) state.reference = read_reference(reader, parts, state.mesh.coordinates);
+  state.held_walls.clear();
+  reader.list(state.held_walls, [](auto& a, auto& name) { a.text(name); });
   return state;
 }
 
@@ -355,6 +355,7 @@ void write_step(const std::filesystem::path& path, const MeshState& state, const
     if (parts.roles && parts.any_roles) writer.numbers(*state.roles);
     if (parts.layers && parts.any_layers) layer_fields(writer, *state.layers);
     if (parts.reference && parts.any_reference) write_coordinates(writer, *state.reference);
+    writer.list(state.held_walls, [](auto& a, auto& name) { a.text(name); });
     result_fields(writer, smooth);
     writer.list(smooth.history, [](auto& a, auto& record) { record_fields(a, record); });
     writer.finish();
