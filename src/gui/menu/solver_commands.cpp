@@ -135,15 +135,16 @@ std::vector<UserCommand> layer_commands() {
                                                  },
                                                  no_quadrilaterals)}),
              .serves = plane_meshes}),
-      entry("hold_layers", "Hold layers", {},
-            "Keep the heights that layers have, whatever moves: of the selected walls or, in a plane "
-            "mesh where nothing is selected, of all.",
-            [](const PanelContext& c) { hold_layers(c, walls_meant(c)); },
-            {.words = "keep freeze lock height wall",
-             .blocked = first_of(
-                 {without_mesh,
-                  [](const PanelContext& c) { return cannot_hold_layers(c, walls_meant(c)); }}),
-             .serves = movable_meshes}),
+      entry(
+          "hold_layers", "Hold layers", {},
+          "Keep the heights that layers have, whatever moves: of the selected walls or, in a plane "
+          "mesh where nothing is selected, of all.",
+          [](const PanelContext& c) { hold_layers(c, walls_meant(c)); },
+          {.words = "keep freeze lock height wall",
+           .blocked = first_of(
+               {without_mesh,
+                [](const PanelContext& c) { return cannot_hold_layers(c, walls_meant(c)); }}),
+           .serves = movable_meshes}),
       entry("layers_panel", "Panel of layers", {},
             "Show the panel \"Layers\", with all that it says of them.",
             emits(action::EditField{"layers/"}),
