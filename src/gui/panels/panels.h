@@ -18,11 +18,14 @@ void draw_zone(const PanelContext& context);
 DrawPanel markers_panel();
 DrawPanel cuts_panel();
 DrawPanel motion_panel();
-/// The bodies that are listed to move together: a click on one selects it, a cross takes it out, and
-/// buttons carry all motions out or clear the list. Nothing while the list is empty.
+/// The bodies that are listed to move together: a click on one selects it, a cross takes it out,
+/// and buttons carry all motions out or clear the list. Nothing while the list is empty.
 void draw_body_list(const PanelContext& context);
 /// "12\xC2\xB0 about (0.5, 0), moves by (0.1, 0)".
 std::string motion_summary(const RigidMotion& motion, bool in_space);
+/// What motions keep, for the motion panel: "Motions keep the mesh as smoothed (step 3)". Empty
+/// where the options of the solver refer to no mesh.
+std::string reference_text(const Session& session);
 DrawPanel shape_panel();
 DrawPanel layers_panel();
 DrawPanel solver_panel();
