@@ -1,7 +1,10 @@
 import csv
+import json
+import subprocess
 
 import support
-from support import INVERTED, NOT_CONVERGED, ProgramTest
+import volume_meshes
+from support import INPUT, INVERTED, NOT_CONVERGED, USAGE, ProgramTest
 
 METRICS = ("normalized_jacobian", "aspect_ratio", "condition_number", "smallest_angle",
            "largest_angle", "skewness")
@@ -37,6 +40,56 @@ class Report(ProgramTest):
         self.assertEqual((report["nodes"], report["elements"]), (9 * 24, 2 * 8 * 24))
         self.assertGreater(report["peak_memory_bytes"], 1 << 20)
         self.assertEqual(report["command"], "move")
+
+    def test_says_the_version_and_the_sizes_of_the_markers(self):
+        self.ring()
+        version = self.winslow("--version").stdout.split()[1]
+        sizes = [{"name": name, "nodes": 24, "edges": 24} for name in ("body", "farfield")]
+        layers = ("layers", "ring.su2", "-o", "out.su2", "--marker", "body", "--count", "2", "--first",
+                  "0.02")
+        deform = ("deform", "ring.su2", "-o", "out.su2", "--marker", "body", "--sine", "0.01", "1")
+        for run in (MOVE, deform, layers, ("smooth", "ring.su2", "-o", "out.su2"), ("quality", "ring.su2")):
+            self.winslow(*run, "--report", "r.json")
+            report = self.json("r.json")
+            self.assertEqual(report["version"], version)
+            self.assertEqual(report["markers"], sizes, run)
+        nodes, cells, markers = volume_meshes.write_box(self.path("box.su2"))
+        self.winslow("quality", "box.su2", "--report", "r.json")
+        self.assertEqual(self.json("r.json")["markers"],
+                         [{"name": name, "nodes": len({n for face in faces for n in face}),
+                           "faces": len(faces)} for name, faces in markers.items()])
+
+    def test_goes_to_the_standard_output_alone(self):
+        self.ring()
+        self.winslow(*MOVE, "--report", "r.json", "--save-recipe", "recipe.json")
+        said = self.winslow(*MOVE).stdout
+        for run in (MOVE, ("replay", "recipe.json")):
+            done = self.winslow(*run, "--report", "-")
+            report = json.loads(done.stdout)
+            self.assertEqual(report["quality"], self.json("r.json")["quality"])
+            self.assertEqual(report["output"], "out.su2")
+            # What is said all the same is elsewhere, but for the seconds.
+            self.assertEqual(done.stderr.split("Wrote")[0], said.split("Wrote")[0])
+            self.assertNotIn("-", self.files())
+            done = self.winslow(*run, "--report", "-", "--quiet")
+            self.assertEqual(json.loads(done.stdout)["quality"], report["quality"])
+            self.assertEqual(done.stderr, "")
+        # Also of a run that fails; and not where the run is refused.
+        done = self.winslow("move", "ring.su2", "-o", "no.su2", "--marker", "body", "--translate", "20", "0",
+                            "--report", "-", code=INVERTED)
+        self.assertLess(json.loads(done.stdout)["fraction_reached"], 1)
+        done = self.winslow("move", "ring.su2", "-o", "no.su2", "--marker", "bod", "--rotate", "1", "--report",
+                            "-", code=USAGE)
+        self.assertEqual(done.stdout, "")
+        for flag in ("--history", "--save-recipe"):
+            done = self.winslow(*MOVE, flag, "-", code=USAGE)
+            self.assertIn(f"{flag} -: found - for the standard output, expected the name of a file",
+                          done.stderr)
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([support.WINSLOW, *MOVE, "--report", "-", "--quiet"], cwd=self.folder,
+                                  stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(done.returncode, INPUT)
+        self.assertIn("the standard output cannot be written", done.stderr)
 
     def test_quality_reports_the_same_block(self):
         self.ring()

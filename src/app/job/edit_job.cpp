@@ -21,6 +21,8 @@ void check_files(const JobFiles& files) {
     check_output(path);
     if (!path.empty()) check_distinct({path, files.input});
   }
+  check_is_file(files.history, "--history");
+  check_is_file(files.save_recipe, "--save-recipe");
   check_distinct({files.output, files.report, files.history, files.save_recipe});
 }
 
@@ -257,6 +259,7 @@ nlohmann::json make_report(const std::vector<ZoneRun>& zones, const RunReport& r
 }  // namespace
 
 ExitCode run_edit_job(const EditJob& job) {
+  const OutputForData for_data(job.files.report == standard_output);
   check_files(job.files);
   check_options(job.commands);
   const io::ReferenceReader references = reading_once();

@@ -17,6 +17,12 @@ void add_input(CLI::App& app, std::string& input) {
       ->type_name("");
 }
 
+void add_inputs(CLI::App& app, std::vector<std::string>& inputs) {
+  app.add_option("IN", inputs, "Meshes to read (" + io::supported_extensions() + ")")
+      ->required()
+      ->type_name("");
+}
+
 void add_zone_flag(CLI::App& app, int& zone, const std::string& without) {
   FlagGroup(app)
       .value_as("--zone", zone, "N",
@@ -31,7 +37,8 @@ void add_job_flags(CLI::App& app, JobFiles& files) {
   FlagGroup group(app, "Output");
   group.value("-o,--output", files.output, "OUT", "Mesh to write; may be IN itself");
   group.value("--report", files.report, "FILE.json",
-              "Write what was done, and the quality, as JSON");
+              "Write what was done, and the quality, as JSON; -: to the standard output, and what "
+              "else is said to the standard error");
   group.value("--history", files.history, "FILE.csv",
               "Write a line for every outer iteration as CSV");
   group.on("--allow-inverted", files.allow_inverted,
@@ -85,7 +92,7 @@ void add_quiet_flag(CLI::App& app, bool& quiet) {
 }
 
 void check_output(const std::string& path) {
-  if (path.empty()) return;
+  if (path.empty() || path == standard_output) return;
   std::error_code error;
   const fs::path target(path);
   if (fs::is_directory(target, error)) {
@@ -98,6 +105,14 @@ void check_output(const std::string& path) {
   if (access(folder.c_str(), W_OK | X_OK) != 0) {
     throw OutputError(path + ": the folder " + folder.string() + " cannot be written to");
   }
+}
+
+void check_is_file(const std::string& path, const char* flag) {
+  if (path == standard_output)
+    throw UsageError(
+        std::string(flag) +
+        " -: found - for the standard output, expected the name of a file (./- for one "
+        "that is called -)");
 }
 
 void check_mesh_output(const std::string& path) {
@@ -118,6 +133,12 @@ void check_distinct(const std::vector<std::string>& paths) {
   std::set<fs::path> seen;
   for (const std::string& path : paths) {
     if (path.empty()) continue;
+    if (path == standard_output) {
+      if (!seen.insert(path).second)
+        throw UsageError(
+            "two outputs would be written to the standard output (-): name a file for one");
+      continue;
+    }
     std::error_code pipe;  // set for a pipe, whose path cannot be resolved
     const fs::path whole = fs::weakly_canonical(fs::absolute(path), pipe);
     if (!seen.insert(pipe ? fs::absolute(path) : whole).second) {

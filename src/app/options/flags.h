@@ -50,13 +50,16 @@ class FlagGroup {
   std::string heading_;
 };
 
+/// The name of an output file that stands for the standard output.
+inline constexpr std::string_view standard_output = "-";
+
 /// Files and output options of a job that changes a mesh.
 struct JobFiles {
   std::string input;
   int zone = 0;                ///< zone of the input; 0: all zones
   std::string reference_mesh;  ///< whose shapes motions keep; empty: the input
   std::string output;
-  std::string report;       ///< JSON; empty: none
+  std::string report;       ///< JSON; "-": to the standard output; empty: none
   std::string history;      ///< CSV; empty: none
   std::string save_recipe;  ///< JSON; empty: none
   bool allow_inverted = false;
@@ -66,6 +69,8 @@ struct JobFiles {
 };
 
 void add_input(CLI::App& app, std::string& input);
+/// Declares one input or more.
+void add_inputs(CLI::App& app, std::vector<std::string>& inputs);
 /// Declares --zone; `without`: text for the help on what happens without it.
 void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
 /// Declares --zone, -o, --report, --history, --allow-inverted, --accept-partial, --quiet and those
@@ -82,8 +87,10 @@ void add_quiet_flag(CLI::App& app, bool& quiet);
 /// Checks an output path before a long solve. Throws UsageError if the extension of a mesh is
 /// unknown, OutputError if the folder does not exist or is not writable. Accepts an empty path.
 void check_mesh_output(const std::string& path);
-/// Checks the path of any other output file in the same way.
+/// Checks the path of any other output file in the same way. Accepts standard_output.
 void check_output(const std::string& path);
+/// Throws UsageError for standard_output: `flag` takes the name of a file.
+void check_is_file(const std::string& path, const char* flag);
 /// Throws UsageError if two output files have the same path.
 void check_distinct(const std::vector<std::string>& paths);
 

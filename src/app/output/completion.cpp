@@ -164,7 +164,7 @@ std::string zsh_values(const ProgramOption& option) {
 
 void print_zsh_option(std::ostream& out, const ProgramOption& option) {
   if (option.positional) {
-    out << " \\\n        " << quoted(zsh_values(option));
+    out << " \\\n        " << quoted((option.repeatable ? "*" : "") + zsh_values(option));
     return;
   }
   const std::string says = '[' + zsh_text(brief(option.help)) + ']' + zsh_values(option);

@@ -214,7 +214,8 @@ void print_synopsis(std::ostream& out, const ProgramOptions& program) {
   for (const ProgramCommand& command : program.commands) {
     out << in_font('B', program.name + ' ' + command.name);
     for (const ProgramOption& option : command.options) {
-      if (option.positional) out << ' ' << in_font('I', option.names.front());
+      if (!option.positional) continue;
+      out << ' ' << in_font('I', option.names.front() + (option.repeatable ? " ..." : ""));
     }
     out << " [" << in_font('I', "OPTIONS") << "]\n.br\n";
   }

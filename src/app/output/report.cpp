@@ -7,7 +7,7 @@
 #include "app/output/tables.h"
 #include "app/output/terminal.h"
 #include "core/layers/layer_stack.h"
-#include "io/file/atomic_file.h"
+#include "core/version.h"
 
 namespace winslow::app {
 
@@ -51,6 +51,19 @@ json describe_metrics(const QualityReport& quality) {
   for (const Metric m : reported_metrics(quality.cell_dimension))
     metrics[std::string(metric_name(m))] = describe_statistics(quality.of(m).statistics);
   return metrics;
+}
+
+/// Name and size of each marker; "edges" of a plane or surface mesh, "faces" of a volume mesh.
+json describe_markers(const Topology& topology) {
+  const std::string faces = std::string(words_of(topology.kind()).face) + 's';
+  json list = json::array();
+  for (std::size_t m = 0; m < topology.markers().size(); ++m) {
+    const Marker& marker = topology.markers()[m];
+    list.push_back({{"name", marker.name},
+                    {"nodes", topology.markers().nodes(static_cast<Index>(m)).size()},
+                    {faces, marker.faces.size()}});
+  }
+  return list;
 }
 
 json describe_edges(const EdgePair& edges, int dimension) {
@@ -233,6 +246,7 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality, const Quality
               {"space_dimension", quality.space_dimension},
               {"nodes", mesh.topology->node_count()},
               {"elements", mesh.topology->element_count()},
+              {"markers", describe_markers(*mesh.topology)},
               {"inverted", quality.inverted},
               {"inverted_elements", inverted},
               {"quality", describe_metrics(quality)},
@@ -332,6 +346,7 @@ json describe_zones(const std::vector<ZoneResult>& zones) {
 }
 
 void describe_circumstances(json& report, const RunReport& run) {
+  report["version"] = WINSLOW_VERSION;
   report["command"] = run.command;
   report["input"] = run.input;
   report["seconds"] = {{"load", run.seconds.load},
@@ -352,10 +367,10 @@ json describe_run(const RunReport& run, const std::vector<ZoneResult>& zones) {
   return report;
 }
 
-void write_json(const std::filesystem::path& path, const json& value) {
+void write_json(const std::string& path, const json& value) {
   // Names of files and markers need not be UTF-8: replace invalid bytes instead of failing.
   const std::string text = value.dump(2, ' ', false, json::error_handler_t::replace);
-  io::write_atomically(path, [&](std::ostream& out) { out << text << '\n'; });
+  write_text(path, text + '\n');
 }
 
 }  // namespace winslow::app

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <chrono>
-#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 
 #include "core/geometry/periodic_pairs.h"
@@ -61,9 +60,9 @@ struct RunReport {
   std::vector<std::string> warnings;
 };
 
-/// Describes a mesh: the block "quality", and "nodes", "elements", "inverted", "inverted_elements"
-/// (ids and centres of the first 100), "worst", "walls", "units". With `before`, the blocks
-/// "quality_before" and "walls" also describe the earlier state.
+/// Describes a mesh: the block "quality", and "nodes", "elements", "markers" with their sizes,
+/// "inverted", "inverted_elements" (ids and centres of the first 100), "worst", "walls", "units".
+/// With `before`, the blocks "quality_before" and "walls" also describe the earlier state.
 nlohmann::json describe_mesh(const Mesh& mesh, const QualityReport& quality,
                              const QualityReport* before = nullptr);
 
@@ -90,15 +89,16 @@ struct ZoneResult {
 /// "elements" and "inverted", and "zones", a list with the description of each.
 nlohmann::json describe_zones(const std::vector<ZoneResult>& zones);
 
-/// Adds the keys of a run that all reports have: "command", "input", "seconds", "peak_memory_bytes"
-/// and "warnings".
+/// Adds the keys of a run that all reports have: "version", "command", "input", "seconds",
+/// "peak_memory_bytes" and "warnings".
 void describe_circumstances(nlohmann::json& report, const RunReport& run);
 
 /// The whole report (docs/command-line.md lists the keys).
 nlohmann::json describe_run(const RunReport& run, const std::vector<ZoneResult>& zones);
 
-/// Writes JSON atomically. Throws OutputError.
-void write_json(const std::filesystem::path& path, const nlohmann::json& json);
+/// Writes JSON to the standard output if the path is standard_output, otherwise to a file,
+/// atomically. Throws OutputError.
+void write_json(const std::string& path, const nlohmann::json& json);
 
 /// True if every command of the run converged.
 bool all_converged(const std::vector<CommandRecord>& commands);

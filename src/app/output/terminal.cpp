@@ -4,9 +4,13 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
+#include <cstring>
 #include <iostream>
 
+#include "app/options/flags.h"
 #include "core/error.h"
+#include "io/file/atomic_file.h"
 
 namespace winslow::app {
 
@@ -31,6 +35,23 @@ std::string printable(std::string_view text) {
 void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& text : warnings)
     std::cerr << "winslow: warning: " << printable(text) << '\n';
+}
+
+OutputForData::OutputForData(bool wanted) {
+  if (wanted) before_ = std::cout.rdbuf(std::cerr.rdbuf());
+}
+
+OutputForData::~OutputForData() {
+  if (before_) std::cout.rdbuf(before_);
+}
+
+void write_text(const std::string& path, std::string_view text) {
+  if (path != standard_output)
+    return io::write_atomically(path, [&](std::ostream& out) { out << text; });
+  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!whole || std::fflush(stdout) != 0)
+    throw OutputError(std::string("the standard output cannot be written: ") +
+                      std::strerror(errno));
 }
 
 namespace {

@@ -44,6 +44,24 @@ std::string printable(std::string_view text);
 /// Prints each warning to the standard error, as a line "winslow: warning: ...".
 void print_warnings(const std::vector<std::string>& warnings);
 
+/// Keeps the standard output for data that other programs read: during its lifetime, what is
+/// printed to std::cout goes to the standard error.
+class OutputForData {
+ public:
+  /// wanted: false to change nothing.
+  explicit OutputForData(bool wanted);
+  ~OutputForData();
+  OutputForData(const OutputForData&) = delete;
+  OutputForData& operator=(const OutputForData&) = delete;
+
+ private:
+  std::streambuf* before_ = nullptr;
+};
+
+/// Writes text to the standard output itself if the path is standard_output, otherwise to a file,
+/// atomically. Throws OutputError.
+void write_text(const std::string& path, std::string_view text);
+
 /// During its lifetime, SIGINT and SIGTERM are recorded instead of ending the program, so that a
 /// job can stop between two iterations. A second signal ends the program as usual.
 class InterruptGuard {

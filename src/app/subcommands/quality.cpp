@@ -3,10 +3,12 @@
 
 #include "app/job/edit_job.h"
 #include "app/options/flags.h"
+#include "app/output/quality_csv.h"
 #include "app/output/report.h"
 #include "app/output/tables.h"
 #include "app/output/terminal.h"
 #include "app/subcommands/subcommand.h"
+#include "core/error.h"
 #include "io/format/mesh_file.h"
 
 namespace winslow::app {
@@ -14,71 +16,253 @@ namespace {
 
 constexpr int inverted_elements_shown = 20, folded_edges_shown = 5;
 
+/// A mesh file that was read and measured.
+struct MeasuredFile {
+  std::string input;
+  std::vector<ZoneRun> zones;
+  std::vector<std::string> warnings;  ///< of the reader
+
+  Index inverted() const {
+    Index sum = 0;
+    for (const ZoneRun& zone : zones) sum += zone.quality.inverted;
+    return sum;
+  }
+};
+
+nlohmann::json describe(const MeasuredFile& file) {
+  std::vector<ZoneResult> results;
+  for (const ZoneRun& z : file.zones) {
+    results.push_back({z.number(), &z.source.mesh, &z.quality, nullptr, nullptr, nullptr,
+                       z.source.details->periodic.get()});
+  }
+  return describe_zones(results);
+}
+
+/// The warnings of a report: those of the reader, and folds.
+std::vector<std::string> reported_warnings(const MeasuredFile& file) {
+  std::vector<std::string> warnings = file.warnings;
+  for (const ZoneRun& zone : file.zones) {
+    if (!zone.quality.folds.any()) continue;
+    const std::string name = zone.name();
+    warnings.push_back((name.empty() ? "" : name + ": ") + winslow::describe(zone.quality.folds));
+  }
+  return warnings;
+}
+
+/// The warnings with the name of their file, unless they begin with it.
+std::vector<std::string> with_name(const MeasuredFile& file, std::vector<std::string> warnings) {
+  for (std::string& warning : warnings)
+    if (!warning.starts_with(file.input)) warning.insert(0, file.input + ": ");
+  return warnings;
+}
+
+/// A table with a line for each mesh, for many of them.
+class MeshList {
+ public:
+  explicit MeshList(const std::vector<std::string>& inputs) {
+    constexpr std::size_t widest = 60;
+    for (const std::string& input : inputs) width_ = std::max(width_, input.size());
+    width_ = std::min(width_, widest);
+  }
+
+  void print(const MeasuredFile& file) {
+    if (!std::exchange(begun_, true)) print_heading();
+    for (const ZoneRun& zone : file.zones) {
+      const std::string zone_name = zone.name();
+      const Topology& topology = *zone.source.mesh.topology;
+      std::cout << padded(printable(file.input) + (zone_name.empty() ? "" : ", " + zone_name))
+                << formatted("%10d%10d%10d", static_cast<int>(topology.node_count()),
+                             static_cast<int>(topology.element_count()),
+                             static_cast<int>(zone.quality.inverted));
+      for (const Metric metric : shown) {
+        const Statistics& of = zone.quality.of(metric).statistics;
+        std::cout << formatted("%*.4g", column(metric),
+                               metric_info(metric).field.larger_is_better ? of.min : of.max);
+      }
+      std::cout << '\n';
+    }
+  }
+
+ private:
+  // Plane and volume meshes have these metrics.
+  static constexpr std::array shown{Metric::normalized_jacobian, Metric::aspect_ratio,
+                                    Metric::condition_number};
+
+  static int column(Metric metric) { return static_cast<int>(metric_label(metric).size()) + 2; }
+  std::string padded(std::string text) const {
+    if (text.size() < width_) text.resize(width_, ' ');
+    return text;
+  }
+  void print_heading() const {
+    std::cout << padded({}) << formatted("%10s%10s%10s", "nodes", "elements", "inverted");
+    for (const Metric metric : shown)
+      std::cout << formatted("%*s", column(metric), std::string(metric_label(metric)).c_str());
+    std::cout << '\n' << padded({}) << std::string(30, ' ');
+    for (const Metric metric : shown)
+      std::cout << formatted("%*s", column(metric),
+                             metric_info(metric).field.larger_is_better ? "minimum" : "maximum");
+    std::cout << '\n';
+  }
+
+  std::size_t width_ = 0;
+  bool begun_ = false;
+};
+
 class QualitySubcommand : public Subcommand {
  public:
   explicit QualitySubcommand(CLI::App& program)
       : Subcommand(program.add_subcommand(
             "quality",
-            "Print the quality of a mesh and its worst elements; exit status 4 if any element is "
+            "Print the quality of meshes and their worst elements; exit status 4 if any element is "
             "inverted")) {
-    add_input(app(), input_);
+    add_inputs(app(), inputs_);
     add_zone_flag(app(), zone_, "every zone is reported");
     FlagGroup group(app());
-    group.value_as("--worst", options_.worst, "N [10]", "How many of the worst elements to list")
-        ->check(CLI::Range(0, 1000000));
+    worst_flag_ = group
+                      .value_as("--worst", options_.worst, "N [10]",
+                                "How many of the worst elements to list; of several meshes: for "
+                                "each of them, in place of one line for each")
+                      ->check(CLI::Range(0, 1000000));
     group.on("--histogram", histogram_, "Print histograms too");
     group.value_as("--bins", options_.histogram_bins, "N [20]", "Bins of a histogram")
         ->check(CLI::Range(1, 1000));
     group.value_as("--threads", options_.threads, "N [0]", "Threads; 0 for all cores")
         ->check(CLI::Range(0, 4096));
-    group.value("--report", report_, "FILE.json", "Write the same as JSON");
+    group.value("--report", report_, "FILE.json",
+                "Write the same as JSON; -: to the standard output, and what else is said to the "
+                "standard error");
+    group.value("--csv", csv_, "FILE.csv",
+                "Write a table with a row for each mesh, and each zone: every metric with its "
+                "worst element; -: to the standard output");
     add_quiet_flag(app(), quiet_);
   }
 
   ExitCode run() override {
-    check_output(report_);
-    if (!report_.empty()) check_distinct({report_, input_});
-    Stopwatch total;
-    std::vector<io::MeshFile> files = read_zones(input_, zone_);
+    check_outputs();
+    const OutputForData for_data(report_ == standard_output || csv_ == standard_output);
+    const bool several = inputs_.size() > 1;
+    const Stopwatch total;
     RunReport run;
     run.command = "quality";
-    run.input = input_;
-    const std::vector<std::string> warnings = warnings_of(files);
-    run.warnings = warnings;
-    std::vector<ZoneRun> zones = share_out(std::move(files), {}, input_);
-    run.seconds.load = total.seconds();
-    for (ZoneRun& zone : zones) zone.quality = measure_quality(zone.source.mesh, options_);
-    run.seconds.solve = total.seconds() - run.seconds.load;
-    run.seconds.total = total.seconds();
-    for (const ZoneRun& zone : zones) {
-      if (!zone.quality.folds.any()) continue;
-      const std::string name = zone.name();
-      run.warnings.push_back((name.empty() ? "" : name + ": ") +
-                             winslow::describe(zone.quality.folds));
+    MeshList list(inputs_);
+    std::size_t read = 0, inverted = 0;
+    for (const std::string& input : inputs_) {
+      std::optional<MeasuredFile> file;
+      try {
+        file = measure(input, run.seconds);
+      } catch (const Error& error) {
+        if (!several) throw;
+        note_unread(input, error.what());
+        continue;
+      }
+      ++read;
+      if (file->inverted() > 0) ++inverted;
+      add(*file, run);
+      if (quiet_) continue;
+      print_warnings(several ? with_name(*file, file->warnings) : file->warnings);
+      if (several && !blocks())
+        list.print(*file);
+      else
+        print(*file);
     }
-    if (!report_.empty()) write_json(report_, describe(zones, run));
-    if (!quiet_) print(zones, warnings);
-    const bool inverted = std::any_of(zones.begin(), zones.end(),
-                                      [](const ZoneRun& z) { return z.quality.inverted > 0; });
-    return inverted ? ExitCode::inverted : ExitCode::done;
+    run.seconds.total = total.seconds();
+    if (read > 0) save(run);
+    if (several && !quiet_) print_end(read, inverted);
+    if (read < inputs_.size()) return ExitCode::input;
+    return inverted > 0 ? ExitCode::inverted : ExitCode::done;
   }
 
  private:
-  static nlohmann::json describe(const std::vector<ZoneRun>& zones, const RunReport& run) {
-    std::vector<ZoneResult> results;
-    for (const ZoneRun& z : zones) {
-      results.push_back({z.number(), &z.source.mesh, &z.quality, nullptr, nullptr, nullptr,
-                         z.source.details->periodic.get()});
+  void check_outputs() const {
+    for (const std::string& path : {report_, csv_}) {
+      check_output(path);
+      for (const std::string& input : inputs_)
+        if (!path.empty()) check_distinct({path, input});
     }
-    nlohmann::json report = describe_zones(results);
+    check_distinct({report_, csv_});
+  }
+
+  /// Several meshes are printed as one is.
+  bool blocks() const { return histogram_ || worst_flag_->count() > 0; }
+
+  MeasuredFile measure(const std::string& input, Timings& seconds) const {
+    Stopwatch lap;
+    MeasuredFile file{input, {}, {}};
+    std::vector<io::MeshFile> meshes = read_zones(input, zone_);
+    file.warnings = warnings_of(meshes);
+    file.zones = share_out(std::move(meshes), {}, input);
+    seconds.load += lap.lap();
+    QualityOptions options = options_;
+    if (!csv_.empty()) options.worst = std::max(options.worst, 1);
+    for (ZoneRun& zone : file.zones) zone.quality = measure_quality(zone.source.mesh, options);
+    seconds.solve += lap.lap();
+    return file;
+  }
+
+  void note_unread(const std::string& input, const std::string& error) {
+    const std::string text = error.starts_with(input) ? error : input + ": " + error;
+    std::cout.flush();
+    std::cerr << "winslow: " << printable(text) << '\n';
+    unread_.push_back({{"input", input}, {"error", text}});
+  }
+
+  /// Adds a mesh to the table and to the report.
+  void add(MeasuredFile& file, RunReport& run) {
+    for (ZoneRun& zone : file.zones) {
+      std::vector<std::string> row{file.input,
+                                   zone.number() > 0 ? std::to_string(zone.number()) : ""};
+      std::ranges::move(quality_values(zone.source.mesh, zone.quality), std::back_inserter(row));
+      rows_ += csv_line(row);
+      if (options_.worst > 0) continue;
+      for (QualityReport::PerMetric& metric : zone.quality.metrics) metric.worst.clear();
+      for (auto& worst : zone.quality.worst_at_walls) worst.clear();
+    }
+    if (report_.empty()) return;
+    const std::vector<std::string> warnings = reported_warnings(file);
+    meshes_.push_back(describe(file));
+    if (inputs_.size() == 1) {
+      run.warnings = warnings;
+      return;
+    }
+    meshes_.back()["input"] = file.input;
+    meshes_.back()["warnings"] = warnings;
+    std::ranges::move(with_name(file, warnings), std::back_inserter(run.warnings));
+  }
+
+  void save(RunReport& run) const {
+    if (!report_.empty()) write_json(report_, whole_report(run));
+    if (csv_.empty()) return;
+    std::vector<std::string> columns{"file", "zone"};
+    std::ranges::move(quality_columns(), std::back_inserter(columns));
+    write_text(csv_, csv_line(columns) + rows_);
+  }
+
+  /// One mesh: its description. Several: the sums, "meshes" with the description of each, and
+  /// "unread".
+  nlohmann::json whole_report(RunReport& run) const {
+    if (inputs_.size() == 1) {
+      nlohmann::json report = meshes_.front();
+      run.input = inputs_.front();
+      describe_circumstances(report, run);
+      return report;
+    }
+    nlohmann::json report{{"meshes", meshes_}, {"unread", unread_}};
+    for (const char* key : {"nodes", "elements", "inverted"}) {
+      std::int64_t sum = 0;
+      for (const nlohmann::json& mesh : meshes_) sum += mesh[key].get<std::int64_t>();
+      report[key] = sum;
+    }
     describe_circumstances(report, run);
+    report["input"] = inputs_;
     return report;
   }
 
-  void print(const std::vector<ZoneRun>& zones, const std::vector<std::string>& warnings) const {
-    print_warnings(warnings);
-    for (const ZoneRun& zone : zones) {
-      if (&zone != &zones.front()) std::cout << '\n';
+  /// Prints all of a mesh; of several, first the name of its file.
+  void print(const MeasuredFile& file) {
+    if (inputs_.size() > 1)
+      std::cout << (std::exchange(printed_, true) ? "\n" : "") << printable(file.input) << '\n';
+    for (const ZoneRun& zone : file.zones) {
+      if (&zone != &file.zones.front()) std::cout << '\n';
       print_zone_heading(std::cout, zone.name());
       const Mesh& mesh = zone.source.mesh;
       print_quality_table(std::cout, mesh, zone.quality);
@@ -94,10 +278,24 @@ class QualitySubcommand : public Subcommand {
     }
   }
 
-  std::string input_, report_;
+  /// How many meshes there were.
+  void print_end(std::size_t read, std::size_t inverted) const {
+    std::cout << '\n' << inputs_.size() << " meshes";
+    if (read < inputs_.size()) std::cout << ", " << inputs_.size() - read << " could not be read";
+    if (inverted > 0) std::cout << ", " << inverted << " with inverted elements";
+    std::cout << '\n';
+  }
+
+  std::vector<std::string> inputs_;
+  std::string report_, csv_;
   int zone_ = 0;
   QualityOptions options_;
+  CLI::Option* worst_flag_ = nullptr;
   bool histogram_ = false, quiet_ = false;
+
+  std::string rows_;  // of the table
+  nlohmann::json meshes_ = nlohmann::json::array(), unread_ = nlohmann::json::array();
+  bool printed_ = false;
 };
 
 }  // namespace

@@ -372,19 +372,6 @@ CommandResult unchanged(const MeshState& state) {
   return result;
 }
 
-/// Motions and scrambles leave the reference mesh as it is, and so does a command that only holds
-/// layers; the result of every other command is the next reference mesh.
-bool keeps_reference(const Command& command) {
-  if (const auto* layers = std::get_if<LayersCommand>(&command))
-    return layers->task == LayerTask::hold;
-  return std::visit(
-      [](const auto& c) {
-        return requires { c.how; }
-        || std::is_same_v<decltype(c), const ScrambleCommand&>;
-      },
-      command);
-}
-
 /// The command with what its options leave open about the nodes in which regions meet.
 Command with_interfaces(Command command) {
   const bool motion = std::visit(
@@ -411,6 +398,17 @@ CommandResult carry_out_near_origin(const Command& command, const MeshState& sta
 }
 
 }  // namespace
+
+bool keeps_reference(const Command& command) {
+  if (const auto* layers = std::get_if<LayersCommand>(&command))
+    return layers->task == LayerTask::hold;
+  return std::visit(
+      [](const auto& c) {
+        return requires { c.how; }
+        || std::is_same_v<decltype(c), const ScrambleCommand&>;
+      },
+      command);
+}
 
 std::string_view command_name(const Command& command) {
   return std::visit([](const auto& c) { return c.name; }, command);

@@ -45,6 +45,12 @@ const SmoothResult& History::result(std::size_t position) const { return step(po
 
 const MeshState& History::state(std::size_t position) const { return step(position).state; }
 
+std::size_t History::reference_position() const {
+  std::size_t position = position_;
+  while (position > 0 && keeps_reference(command(position))) --position;
+  return position;
+}
+
 std::vector<Command> History::recipe() const {
   std::vector<Command> commands;
   for (std::size_t k = 1; k <= position_; ++k) commands.push_back(*steps_[k]->command);

@@ -39,6 +39,9 @@ class History {
   const SmoothResult& result(std::size_t position) const;
   /// Mesh at a position (0 .. size() - 1).
   const MeshState& state(std::size_t position) const;
+  /// Position of the mesh whose shapes motions keep (MeshState::reference): 0 is the mesh as
+  /// loaded.
+  std::size_t reference_position() const;
   /// Commands up to the present position: a recipe.
   std::vector<Command> recipe() const;
 

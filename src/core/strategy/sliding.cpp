@@ -307,29 +307,54 @@ BodyNodes body_nodes(const Motion& motion, const Coordinates& rest) {
   return nodes;
 }
 
+namespace {
+
+/// Whether all nodes of a face are in a set.
+bool within(const Face& face, std::span<const Index> ascending) {
+  return std::ranges::all_of(
+      face, [&](Index node) { return std::ranges::binary_search(ascending, node); });
+}
+
+}  // namespace
+
+std::vector<std::string> markers_moved_by(const Topology& topology, std::span<const Index> nodes) {
+  const Markers& markers = topology.markers();
+  std::vector<Index> of_bodies;
+  std::vector<bool> moves(markers.size(), false);
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const auto own = markers.nodes(static_cast<Index>(m));
+    moves[m] = !own.empty() && std::ranges::includes(nodes, own);
+    if (moves[m]) of_bodies.insert(of_bodies.end(), own.begin(), own.end());
+  }
+  sort_unique(of_bodies);
+  std::vector<std::string> names;
+  for (std::size_t m = 0; m < markers.size(); ++m) {
+    const auto is_moved = [&](const Face& face) {
+      return within(face, nodes) && !within(face, of_bodies);
+    };
+    if (moves[m] || std::ranges::any_of(markers[m].faces, is_moved))
+      names.push_back(markers[m].name);
+  }
+  return names;
+}
+
 BodyNodes body_nodes_of_table(const Motion& motion, const Mesh& rest) {
   BodyNodes nodes = body_nodes(motion, rest.coordinates);
-  std::vector<Index> stand;
+  const std::vector<std::string> moved = markers_moved_by(*rest.topology, nodes.all);
+  std::vector<Index> of_others, of_faces;  // the latter move as a whole
   for (const Marker& marker : rest.topology->markers()) {
-    const auto moves = [&](const Face& face) {
-      return std::ranges::all_of(
-          face, [&](Index node) { return std::ranges::binary_search(nodes.all, node); });
-    };
-    if (std::ranges::any_of(marker.faces, moves)) continue;
-    for (const Face& face : marker.faces)
-      for (const Index node : face)
-        if (std::ranges::binary_search(nodes.standing, node)) stand.push_back(node);
+    const bool other = !contains(moved, marker.name);
+    for (const Face& face : marker.faces) {
+      if (other) of_others.insert(of_others.end(), face.begin(), face.end());
+      if (within(face, nodes.all)) of_faces.insert(of_faces.end(), face.begin(), face.end());
+    }
   }
-  sort_unique(stand);
-  std::vector<Index> of_faces;  // that move as a whole
-  for (const Marker& marker : rest.topology->markers())
-    for (const Face& face : marker.faces)
-      if (std::ranges::all_of(
-              face, [&](Index node) { return std::ranges::binary_search(nodes.all, node); }))
-        of_faces.insert(of_faces.end(), face.begin(), face.end());
-  sort_unique(of_faces);
-  nodes.standing.clear();
-  std::ranges::set_intersection(stand, of_faces, std::back_inserter(nodes.standing));
+  for (std::vector<Index>* set : {&of_others, &of_faces}) {
+    sort_unique(*set);
+    std::vector<Index> kept;
+    std::ranges::set_intersection(nodes.standing, *set, std::back_inserter(kept));
+    nodes.standing = std::move(kept);
+  }
   return nodes;
 }
 

@@ -68,8 +68,12 @@ void require_on_footholds(const Mesh& mesh, const Motion& motion,
 
 /// The nodes of a motion, and those that change their places.
 BodyNodes body_nodes(const Motion& motion, const Coordinates& rest);
-/// The same for nodes that a table names one by one: they are a body only where whole faces of the
-/// boundary move, and do not stand on a marker of which they move a part.
+/// The markers that move where these nodes (ascending) move: those all of whose nodes are among
+/// them, which are bodies, and those of which they move whole faces. Faces between bodies do not
+/// count, as on the floor of a gap that is one element wide.
+std::vector<std::string> markers_moved_by(const Topology& topology, std::span<const Index> nodes);
+/// The same as body_nodes() for nodes that a table names one by one: they are a body only where
+/// whole faces of the boundary move, and do not stand on markers_moved_by() them.
 BodyNodes body_nodes_of_table(const Motion& motion, const Mesh& rest);
 
 /// Lets a body that stands on a sliding boundary move along it: the nodes of this boundary give way

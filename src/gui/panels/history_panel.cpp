@@ -105,8 +105,10 @@ class HistoryPanel {
     const std::string about = position == 0 ? "" : summary(history.result(position));
     const std::string took =
         position == 0 ? "" : duration(document.edits().tags()[position].seconds);
-    ui::tooltip(title + (about.empty() ? "" : "\n" + about) +
-                (took.empty() ? "" : "\ntook " + took) +
+    const bool kept = position == history.reference_position();
+    ui::tooltip((position == 0 ? title : "Step " + std::to_string(position) + ": " + title) +
+                (about.empty() ? "" : "\n" + about) + (took.empty() ? "" : "\ntook " + took) +
+                (kept ? "\nMotions keep this mesh." : "") +
                 (present ? "\nThis is the mesh shown." : "\nClick to go to this mesh.") +
                 (position > 0 ? "\nRight click: edit or delete this step." : ""));
     if (pressed && !present) context.emit(action::GoToStep{position});

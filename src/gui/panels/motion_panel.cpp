@@ -222,6 +222,31 @@ void draw_quality_limits(const PanelContext& context) {
     context.edit(options);
 }
 
+/// Where the mesh came from whose shapes motions keep: "as opened", "as smoothed (step 3)".
+std::string origin_of_reference(const History& history) {
+  const std::size_t step = history.reference_position();
+  if (step == 0) return "as opened";
+  const std::string number = " (step " + std::to_string(step) + ")";
+  const Command& command = history.command(step);
+  if (std::holds_alternative<LayersCommand>(command)) return "as the layers left it" + number;
+  if (std::holds_alternative<EditVcvCommand>(command)) return "as edited VCVs left it" + number;
+  return "as smoothed" + number;
+}
+
+void draw_reference(const PanelContext& context) {
+  const std::string text = reference_text(context.session);
+  if (text.empty()) return;
+  ui::text_wrapped(text, palette().text_dim);
+  ui::note("motion/reference");
+  ui::tooltip(
+      "Motions keep the shapes that the elements have in this mesh, however many motions there "
+      "are: "
+      "the mesh depends on where the bodies are, not on the way there. Smoothing, layers and "
+      "edited "
+      "control volumes make the mesh that they lead to the next one to keep; motions do not. Undo "
+      "goes back to the one before. The tab History numbers the steps.");
+}
+
 /// True if the pivot is where commands without one have it, in the centre of what moves.
 bool turns_about_centre(const Session& session) {
   const Selection& selection = session.selection();
@@ -270,6 +295,7 @@ class MotionPanel {
                              "add it.");
     }
     draw_body_list(context);
+    if (selected || !session.selection().plan().empty()) draw_reference(context);
     if (!selected) return;
     // Below the buttons, so that the buttons are visible in a small window.
     ImGui::BeginDisabled(session.dragging());
@@ -416,6 +442,15 @@ class MotionPanel {
 };
 
 }  // namespace
+
+std::string reference_text(const Session& session) {
+  const SmoothOptions& options = session.solver_settings().smooth_options();
+  if (!session.document() || options.formulation != Formulation::variational) return {};
+  const TargetBlend targets = options.targets.or_else(TargetBlend::keeping());
+  if (!refers_to_given(targets)) return {};
+  return (targets.keep > 0 ? "Motions keep the mesh " : "Targets refer to the mesh ") +
+         origin_of_reference(session.document()->history());
+}
 
 DrawPanel motion_panel() { return panel_of<MotionPanel>(); }
 

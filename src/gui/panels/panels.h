@@ -23,6 +23,9 @@ DrawPanel motion_panel();
 void draw_body_list(const PanelContext& context);
 /// "12\xC2\xB0 about (0.5, 0), moves by (0.1, 0)".
 std::string motion_summary(const RigidMotion& motion, bool in_space);
+/// What motions keep, for the motion panel: "Motions keep the mesh as smoothed (step 3)". Empty
+/// where the options of the solver refer to no mesh.
+std::string reference_text(const Session& session);
 DrawPanel shape_panel();
 DrawPanel layers_panel();
 DrawPanel solver_panel();

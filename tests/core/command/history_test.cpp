@@ -125,3 +125,25 @@ TEST_CASE("a copy of a history goes its own way; its steps are shared") {
   CHECK(&copy.state(1) == &history.state(1));
   CHECK_THROWS_AS(history.state(3), UsageError);
 }
+
+TEST_CASE("motions keep the mesh of the last command that is none") {
+  History history(square_state());
+  CHECK(history.reference_position() == 0);
+  apply(history, shift(0));  // moves nothing
+  apply(history, shift(0.05));
+  apply(history, ScrambleCommand{4});
+  CHECK(history.reference_position() == 0);
+  REQUIRE(history.state().reference);
+  CHECK(*history.state().reference == history.initial().mesh.coordinates);
+  apply(history, SmoothCommand{});
+  CHECK(history.reference_position() == 4);
+  apply(history, shift(-0.02));
+  apply(history, shift(-0.03));
+  CHECK(history.position() == 6);
+  CHECK(history.reference_position() == 4);
+  CHECK(*history.state().reference == history.state(4).mesh.coordinates);
+  history.go_to(3);
+  CHECK(history.reference_position() == 0);
+  history.go_to(5);
+  CHECK(history.reference_position() == 4);
+}

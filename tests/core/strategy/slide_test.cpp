@@ -9,7 +9,9 @@
 #include "core/command/command.h"
 #include "core/command/moving_mesh.h"
 #include "core/error.h"
+#include "core/motion/node_table.h"
 #include "core/quality/quality.h"
+#include "core/strategy/sliding.h"
 #include "support/meshes.h"
 #include "support/periodic_meshes.h"
 #include "support/space_meshes.h"
@@ -461,6 +463,87 @@ TEST_CASE("nothing gives way to nodes that stay, or to bodies that stand on noth
       execute(move, make_state(make_mesh(square_with_hole(10, Cells::triangles))));
   CHECK(alone.smooth.boundary.footholds.empty());
   CHECK(alone.smooth.boundary.sliding.empty());
+}
+
+namespace {
+
+/// A table that moves all nodes of markers.
+DeformCommand nodes_moved(const Mesh& mesh, const std::vector<std::string>& markers,
+                          const Vec3& by) {
+  const int dimension = mesh.coordinates.dimension();
+  DisplacementTable table;
+  for (const Index node : mesh.topology->markers().nodes_of(markers))
+    table.entries.push_back({node, {}, GivenVector::of(dimension, by)});
+  DeformCommand deform;
+  deform.shape = table;
+  return deform;
+}
+
+std::vector<std::string> markers_that_give_way(const CommandResult& result) {
+  std::vector<std::string> names;
+  for (const SlidingPart& part : result.smooth.boundary.sliding)
+    if (part.gives_way) names.push_back(part.marker);
+  sort_unique(names);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a table that names all nodes of a marker moves a body, which what it stands on gives way to") {
+  // Two gates on a floor and a gap between them that is one element wide: the nodes of the floor
+  // there are all of gates.
+  MeshData gates = grid_with_holes(12, Cells::triangles,
+                                   [](Index i, Index j) { return (i == 4 || i == 6) && j < 3; });
+  mark_boundary(gates, [](const Vec2& p) {
+    const bool rest = p.x() < 1e-9 || p.x() > 1 - 1e-9 || p.y() > 1 - 1e-9;
+    return rest ? "rest" : p.y() < 1e-9 ? "floor" : p.x() < 0.48 ? "front" : "back";
+  });
+  struct Case {
+    Mesh mesh;
+    std::vector<std::string> bodies, footing;
+  };
+  const std::vector<Case> cases{
+      {make_mesh(gates), {"front", "back"}, {"floor"}},
+      {make_mesh(box_with_body_on_two_planes(6, Volumes::tetrahedra)), {"body"}, {"floor", "side"}},
+      {make_mesh(box_with_body_on_two_planes(6, Volumes::mixed)), {"body"}, {"floor", "side"}}};
+  for (const Case& c : cases) {
+    CAPTURE(c.mesh.topology->node_count());
+    const MeshState state = make_state(c.mesh);
+    DeformCommand deform = nodes_moved(c.mesh, c.bodies, {0.12, 0, 0});
+    const CommandResult result = execute(deform, state);
+    CHECK(result.smooth.converged);
+    CHECK(result.smooth.fraction_reached == 1);
+    CHECK(markers_that_give_way(result) == c.footing);
+    CHECK(markers_moved_by(*c.mesh.topology, c.mesh.topology->markers().nodes_of(c.bodies)) ==
+          c.bodies);
+    // As with the markers by name.
+    deform.markers = c.bodies;
+    CHECK(execute(deform, state).state.mesh.coordinates == result.state.mesh.coordinates);
+  }
+
+  // A table that moves a face of the floor by itself says where the floor goes.
+  const Mesh& mesh = cases.front().mesh;
+  DeformCommand deform = nodes_moved(mesh, {"front", "back"}, {0.01, 0, 0});
+  auto& entries = std::get<DisplacementTable>(deform.shape).entries;
+  std::vector<Index> named =
+      mesh.topology->markers().nodes_of(std::vector<std::string>{"front", "back"});
+  for (Index node = 0; node < mesh.coordinates.size(); ++node) {
+    const Vec2 p = mesh.coordinates.xy(node);
+    if (p.y() > 0 || p.x() < 0.7 || p.x() > 0.9) continue;
+    entries.push_back({node, {}, Vec2(0.005, 0)});
+    named.push_back(node);
+  }
+  sort_unique(named);
+  CHECK(markers_moved_by(*mesh.topology, named) ==
+        std::vector<std::string>{"floor", "front", "back"});
+  const CommandResult driven = execute(deform, make_state(mesh));
+  CHECK(driven.smooth.fraction_reached == 1);
+  CHECK(markers_that_give_way(driven).empty());
+  // Single nodes of a floor are no body.
+  DeformCommand single = nodes_moved(mesh, {"front"}, {0.005, 0, 0});
+  std::get<DisplacementTable>(single.shape).entries.resize(1);
+  CHECK(markers_that_give_way(execute(single, make_state(mesh))).empty());
 }
 
 TEST_CASE("fixed markers are checked by name") {

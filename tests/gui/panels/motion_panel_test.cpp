@@ -4,6 +4,7 @@
 
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
+#include "gui/panels/panels.h"
 #include "gui/support/moving_rig.h"
 #include "gui/support/rig.h"
 
@@ -120,6 +121,59 @@ TEST_CASE("a number typed in one frame, with Enter, is the number that counts") 
   rig.release();
   REQUIRE(rig.settle());
   CHECK(std::get<MoveCommand>(rig.document().history().command(1)).bodies[0].motion.rotate == 12.5);
+}
+
+TEST_CASE("the panel says which mesh motions keep, and where it came from") {
+  Rig rig(1280, 1000);
+  rig.open(ring_mesh());
+  rig.frames();
+  CHECK_FALSE(rig.visible("motion/reference"));  // nothing is selected
+  rig.bench->apply(action::SelectMarkers{{rig.marker("flap")}});
+  const auto says = [&](const std::string& text) {
+    REQUIRE(rig.settle());
+    rig.frames();
+    CHECK(rig.visible("motion/reference") == !text.empty());
+    CHECK(reference_text(rig.session()) == text);
+  };
+  const auto move_on = [&] { rig.bench->apply(action::ApplyMotion{{5, Vec2(0, 0), Vec2(0, 0)}}); };
+  says("Motions keep the mesh as opened");
+  move_on();
+  says("Motions keep the mesh as opened");
+  rig.bench->apply(action::RunSmooth{});
+  says("Motions keep the mesh as smoothed (step 2)");
+  move_on();
+  move_on();
+  says("Motions keep the mesh as smoothed (step 2)");
+  LayersCommand layers;
+  layers.layers.walls = {{{"flap"}, {}}};
+  layers.layers.walls[0].spacing.count = 2;
+  layers.layers.walls[0].spacing.first = 0.01;
+  rig.bench->apply(action::RunCommand{layers});
+  says("Motions keep the mesh as the layers left it (step 5)");
+  move_on();
+  says("Motions keep the mesh as the layers left it (step 5)");
+  rig.bench->apply(action::GoToStep{4});
+  says("Motions keep the mesh as smoothed (step 2)");
+  rig.bench->apply(action::GoToStep{1});
+  says("Motions keep the mesh as opened");
+
+  // As far as the targets go by a mesh.
+  SmoothOptions options;
+  options.targets = TargetBlend::automatically();
+  rig.bench->apply(action::EditSmoothOptions{whole(options)});
+  says("Targets refer to the mesh as opened");
+  options.targets = TargetBlend::regular();
+  rig.bench->apply(action::EditSmoothOptions{whole(options)});
+  says("");
+  options = {};
+  options.formulation = Formulation::pointwise;
+  rig.bench->apply(action::EditSmoothOptions{whole(options)});
+  says("");
+  // Of bodies that are listed it is said with nothing selected as well.
+  rig.bench->apply(action::EditSmoothOptions{whole(SmoothOptions{})});
+  rig.bench->apply(action::PlanBody{{5, Vec2(0, 0), Vec2(0, 0)}});
+  rig.bench->apply(action::SelectMarkers{});
+  says("Motions keep the mesh as opened");
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/mesh/topology.h"
 #include "core/motion/rigid_motion.h"
+#include "core/strategy/sliding.h"
 #include "core/vcv/sphere/node_vcv.h"
 #include "gui/document/jobs/body_drag.h"
 #include "io/tables/table_files.h"
@@ -69,23 +70,15 @@ bool Motions::poll() {
   return true;
 }
 
-/// Names no markers: the table says what moves. Markers that have a face of nodes that all move do
-/// not slide.
+/// Names no markers: the table says what moves. The markers that it moves do not slide.
 void Motions::move_nodes(const decltype(DeformCommand::shape)& table) {
   const Mesh& mesh = std::as_const(mesh_).document()->state().mesh;
-  const winslow::Markers& markers = mesh.topology->markers();
   std::vector<std::string> moving;
   try {
     const auto motion = std::visit(
         [&](const auto& shape) { return make_motion(*mesh.topology, mesh.coordinates, {}, shape); },
         table);
-    const auto moves = [&](Index node) {
-      return std::ranges::binary_search(motion->nodes(), node);
-    };
-    for (const Marker& marker : markers.list())
-      if (std::ranges::any_of(marker.faces,
-                              [&](const Face& face) { return std::ranges::all_of(face, moves); }))
-        moving.push_back(marker.name);
+    moving = markers_moved_by(*mesh.topology, motion->nodes());
   } catch (const UsageError& error) {
     return messages_.report_error("These nodes cannot be moved", error.what());
   }

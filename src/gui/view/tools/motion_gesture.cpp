@@ -47,6 +47,9 @@ using Kind = Handle::Kind;
 constexpr double fine_speed = 0.1;
 constexpr double turn_step = 5;      // degrees
 constexpr double smallest_step = 8;  // pixels
+// Pixels: a mouse that is as near to where it was pressed is there, but for the round-off of its
+// way, and nothing moves.
+constexpr double at_press = 1e-4;
 constexpr std::array<const char*, 3> mesh_axes{"x", "y", "z"};
 
 double rounded_to(double step, double value) { return step * std::round(value / step); }
@@ -103,7 +106,8 @@ bool MotionGesture::drag_to(const ScreenPoint& mouse, Modifiers modifiers, const
   if (turns()) {
     turned_ += speed * turn_about(view, pivot_, axis(), radius_, before, mouse);
     next.axis = axis();
-    next.rotate = modifiers.snap ? rounded_to(turn_step, turned_) : turned_;
+    const double turned = radians(std::abs(turned_)) * radius_ < at_press ? 0 : turned_;
+    next.rotate = modifiers.snap ? rounded_to(turn_step, turned) : turned;
   } else {
     next.translate = moved_to(view);
   }
@@ -115,6 +119,7 @@ Vec3 MotionGesture::moved_to(const View& view) const {
   const auto along = directions();
   const ScreenPoint press = view.project(from_).at, mouse = view.project(to_).at;
   Vec3 way(0, 0, 0);
+  if ((mouse - press).norm() < at_press) return way;
   if (along.size() == 1)
     way += travel_along(view, pivot_, along[0].along, press, mouse) * along[0].along;
   else

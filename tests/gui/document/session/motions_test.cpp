@@ -7,7 +7,7 @@
 
 #include "core/command/command.h"
 #include "core/motion/rigid_motion.h"
-#include "gui/support/rig.h"
+#include "gui/support/moving_rig.h"
 #include "gui/support/session_parts.h"
 
 namespace winslow::gui::test {
@@ -148,6 +148,116 @@ TEST_CASE("shape editing begins with a radius of its own and lets go of its arc 
   parts.motions.on(action::SetShapeEdit{false, 0});
   CHECK_FALSE(edit.active);
   CHECK_FALSE(edit.arc.has_value());
+}
+
+namespace {
+
+/// Drags from a place to others one after the other, waits for the mesh there, and goes back to the
+/// first place, whence the mouse lets go. The mesh is then the one before, to the bit, and the
+/// history what it was.
+void drag_and_return(Rig& rig, const ScreenPoint& from, const std::vector<ScreenPoint>& there) {
+  const Coordinates before = rig.session().coordinates();
+  const std::size_t steps = rig.document().history().size();
+  rig.drag(from, there.front(), 5);
+  for (const ScreenPoint& place : there) rig.move(place);
+  REQUIRE(rig.session().dragging());
+  REQUIRE(rig.wait([&] {
+    const BodyDrag* drag = rig.session().mesh().work().body_drag();
+    return rig.session().coordinates() != before && (!drag || drag->settled());
+  }));
+  for (std::size_t k = there.size(); k-- > 0;) rig.move(there[k] + ScreenVector(1.5, 0.25));
+  rig.move(from);
+  rig.frames();
+  CHECK(rig.session().dragging());
+  if (rig.session().mesh().work().body_drag()) CHECK(rig.session().coordinates() == before);
+  rig.release();
+  REQUIRE(rig.settle());
+  CHECK(rig.session().coordinates() == before);
+  CHECK(rig.mesh().coordinates == before);
+  CHECK(rig.document().history().size() == steps);
+  CHECK_FALSE(rig.session().messages().banner());
+}
+
+/// Places on the ring of a gizmo, from the knob on.
+std::vector<ScreenPoint> around_ring(const Gizmo& gizmo, const ScreenPoint& from, double degrees) {
+  std::vector<ScreenPoint> places;
+  constexpr int count = 12;
+  for (int k = 1; k <= count; ++k)
+    places.push_back(around(gizmo.centre, from, degrees * k / count));
+  return places;
+}
+
+Mesh moved_by(Mesh mesh, const Vec2& way) {
+  for (Index node = 0; node < mesh.coordinates.size(); ++node)
+    mesh.coordinates.set_xy(node, mesh.coordinates.xy(node) + way);
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("a drag that returns to where it began leaves the mesh as opened, to the bit") {
+  for (const Vec2& far : {Vec2(0, 0), Vec2(4.5e5, 5.1e6)}) {
+    Rig rig;
+    rig.open(moved_by(ring_mesh(), far));
+    const ScreenPoint middle = rig.pixel(far);
+    drag_and_return(rig, middle, {middle + ScreenVector(31, -17), middle + ScreenVector(44, 9)});
+    const Gizmo gizmo = rig.gizmo();
+    drag_and_return(rig, *gizmo.knob, around_ring(gizmo, *gizmo.knob, 35));
+    // At once, by jobs.
+    rig.bench->apply(action::EditMotionOptions{whole(MotionOptions{1, true})});
+    drag_and_return(rig, middle, {middle + ScreenVector(20, -11)});
+    rig.bench->apply(action::EditMotionOptions{whole(MotionOptions{})});
+    // After a smoothing it is that mesh, and after a motion the mesh of that.
+    rig.bench->apply(action::RunSmooth{});
+    REQUIRE(rig.settle());
+    drag_and_return(rig, middle, {middle + ScreenVector(-25, 12)});
+    rig.bench->apply(action::ApplyMotion{{10, Vec2(0, 0), Vec2(0.05, 0)}});
+    REQUIRE(rig.settle());
+    drag_and_return(rig, middle, {middle + ScreenVector(-25, 12)});
+  }
+}
+
+TEST_CASE(
+    "an arc of a boundary that is dragged and returns leaves the mesh as opened, to the bit") {
+  Rig rig;
+  rig.open(ring_mesh());
+  rig.key(keys::e);
+  rig.bench->apply(action::SetShapeEdit{true, 0.3});
+  const ScreenPoint top = rig.pixel(Vec2(0, 0.15));  // a node of the ellipse
+  drag_and_return(rig, top, {top + ScreenVector(3, -14), top + ScreenVector(1, -8)});
+}
+
+TEST_CASE("bodies in space that are dragged and return leave the mesh as opened, to the bit") {
+  for (const bool stands : {false, true}) {
+    MovingStudio studio(
+        make_mesh(stands ? winslow::test::box_with_body_on_two_planes(
+                               6, winslow::test::Volumes::tetrahedra)
+                         : winslow::test::cube_with_cavity(6, winslow::test::Volumes::mixed)),
+        stands ? "body" : "cavity");
+    const ScreenPoint along = studio.handle("arrow/x");
+    drag_and_return(studio, along, {along + ScreenVector(14, 9), along + ScreenVector(22, 13)});
+    studio.key(GLFW_KEY_5);  // from +z
+    studio.frames();
+    const ScreenPoint ring = studio.handle("ring/z");
+    if (!stands) drag_and_return(studio, ring, around_ring(studio.gizmo(), ring, 25));
+  }
+}
+
+TEST_CASE("a second drag back to where the first began gives the mesh as opened again") {
+  Rig rig;
+  rig.open(ring_mesh());
+  const Coordinates before = rig.mesh().coordinates;
+  for (const double by : {37.0, -37.0}) {
+    const ScreenPoint at = rig.pixel(Vec2(0, 0)) + ScreenVector(by > 0 ? 0 : 37, 0);
+    rig.drag(at, at + ScreenVector(by, 0));
+    rig.release();
+    REQUIRE(rig.settle());
+  }
+  REQUIRE(rig.document().history().size() == 3);
+  double apart = 0;
+  for (Index node = 0; node < before.size(); ++node)
+    apart = std::max(apart, (rig.mesh().coordinates.xy(node) - before.xy(node)).norm());
+  CHECK(apart < 1e-9);
 }
 
 namespace {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/motion/rigid_motion.h"
+
 namespace winslow::gui {
 
 namespace {
@@ -75,6 +77,35 @@ TEST_CASE("turns are counted past half a turn and snapped in total") {
   drag.drag_to(at(532), {false, true}, c);
   CHECK(drag.rotate() == 530);
   CHECK(drag.motion() == RigidMotion{530, Vec2(0, 0), Vec2(0, 0)});
+}
+
+TEST_CASE(
+    "a mouse that comes back to where it was pressed, by whatever way, moves nothing at all") {
+  Camera c;
+  c.set_viewport(0, 0, 800, 600);
+  for (const Vec2& far : {Vec2(0.3, 0.7), Vec2(4.5e5, 5.1e6)}) {
+    c.look_at(far, 0.0137);
+    const ScreenPoint press(491.3, 277.7);  // right of the pivot, which is in the middle
+    for (const Handle& handle : {Handle{Handle::Kind::centre, 0}, Handle{Handle::Kind::arrow, 1},
+                                 Handle{Handle::Kind::ring, 2}}) {
+      const Gizmo gizmo =
+          make_gizmo(c, {.pivot = Vec3(far.x(), far.y(), 0), .in_plane = true}, 1).value();
+      MotionGesture drag;
+      drag.begin(handle, press, gizmo, c);
+      const RigidMotion rest = drag.motion();
+      CHECK_FALSE(moves(rest));
+      // Up and to the left, and down again by another way: around the pivot there and back.
+      for (int k = 1; k <= 77; ++k) drag.drag_to(press + ScreenVector(-2.1 * k, -1.3 * k), {}, c);
+      CHECK(moves(drag.motion()));
+      for (int k = 76; k >= 1; --k)
+        drag.drag_to(press + ScreenVector(-2.1 * k + 7.7, -1.3 * k), {}, c);
+      drag.drag_to(press, {}, c);
+      CHECK(drag.motion() == rest);
+      // A hundredth of a pixel counts.
+      drag.drag_to(press + ScreenVector(0.003, -0.01), {}, c);
+      CHECK(moves(drag.motion()));
+    }
+  }
 }
 
 TEST_CASE("a view that is zoomed during a drag leaves the motion as it is") {
