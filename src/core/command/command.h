@@ -112,8 +112,9 @@ const SmoothOptions* smooth_options(const Command& command);
 bool follows_path(const MotionOptions& how, const SmoothOptions& smooth);
 /// True for a command whose purpose is to change the heights of cells at walls.
 bool asks_for_heights(const Command& command);
-/// True for motions and scrambles, which leave the reference mesh of a state as it is
-/// (MeshState::reference). The result of every other command is the next reference mesh.
+/// True for motions, scrambles and commands that only hold layers, which leave the reference mesh
+/// of a state as it is (MeshState::reference). The result of every other command is the next
+/// reference mesh.
 bool keeps_reference(const Command& command);
 /// Markers that a command names.
 std::vector<std::string> markers_of(const Command& command);
