@@ -50,9 +50,8 @@ CASES = {  # title: mesh, options of move
 BLENDS = [f"rest={share} element={round(1 - share, 2)}" for share in (0.75, 0.5, 0.25)]
 TARGETS = ["keep", "rest", *BLENDS, "element", "auto"]
 
-# keep with other constants, as in the table "How the constants were chosen" of motions.md. They are
-# compiled in, so these rows were measured with programs of their own. (least limit, weight of the
-# guard, growth of the weight with the distortion as given, end of the power): worst, mean
+# keep with other constants: rows of the table "How the constants were chosen" in motions.md. The
+# constants are compiled in; each row was measured with a program of its own. (row, worst, mean)
 CONSTANTS = {
     "NACA 0012, 178°": [("no guard", 0.137, 0.652), ("1.78, 10", 0.229, 0.646), ("1.78, 1", 0.228, 0.647),
                         ("1.4, 0.1", 0.227, 0.640), ("1.4, 0.1, slivers more", 0.229, 0.640),
@@ -160,7 +159,33 @@ def read():
         return list(csv.DictReader(file))
 
 
+LOOKS = {"keep": ("*", "#c8102e", 190), "element": ("s", "#1f5fa8", 42), "auto": ("D", "#2a8f3c", 34),
+         "rest": ("^", "#e08214", 48)}  # marker, colour, size
 LEAST_SPAN = 0.03  # of the means that a panel shows, so that small differences look small
+
+
+def draw_case(axis, title, rows):
+    """rows: of this motion, those that reached its end."""
+    found = {row["targets"]: (float(row["mean"]), float(row["worst"])) for row in rows}
+    axis.axhline(float(rows[0]["given_worst"]), color="0.55", lw=1, ls="--", label="worst element as given")
+    line = [found[targets] for targets in ("rest", *BLENDS, "element") if targets in found]
+    axis.plot(*zip(*line), color="0.6", lw=1, marker="o", ms=3.5, zorder=1, label="blends of rest and element")
+    for _, worst, mean in CONSTANTS.get(title, []):
+        axis.scatter(mean, worst, 40, facecolors="none", edgecolors=LOOKS["keep"][1], zorder=4,
+                     label="keep with other constants")
+    for name, (marker, color, size) in LOOKS.items():
+        if name in found:
+            axis.scatter(*found[name], size, marker=marker, color=color, zorder=5 if name == "keep" else 3,
+                         label=name, edgecolors="white", linewidths=0.6)
+    measure = "scaled Jacobian" if "--axis" in CASES[title][1] else "sine"
+    axis.set(title=title, xlabel=f"mean of the elements' {measure} [-]", ylabel=f"smallest {measure} [-]")
+    axis.set_ylim(0, axis.get_ylim()[1] * 1.06)
+    axis.margins(x=0.12)
+    low, high = axis.get_xlim()
+    wider = max(0, LEAST_SPAN - (high - low)) / 2
+    axis.set_xlim(low - wider, high + wider)
+    axis.grid(color="0.92")
+    axis.set_axisbelow(True)
 
 
 def draw():
@@ -168,42 +193,16 @@ def draw():
     matplotlib.use("Agg")
     from matplotlib import pyplot, ticker
 
-    pyplot.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9})
-    looks = {"keep": ("*", "#c8102e", 190), "element": ("s", "#1f5fa8", 42), "auto": ("D", "#2a8f3c", 34),
-             "rest": ("^", "#e08214", 48)}
+    pyplot.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.titlesize": 9.5})
     figure, axes = pyplot.subplots(3, 3, figsize=(10.5, 9.4))
-    rows = read()
+    table, entries = read(), {}
     for axis, title in zip(axes.flat, CASES):
-        found = {row["targets"]: (float(row["mean"]), float(row["worst"]))
-                 for row in rows if row["case"] == title and row["worst"]}
-        given = next(row for row in rows if row["case"] == title and row["worst"])
-        axis.axhline(float(given["given_worst"]), color="0.55", lw=1, ls="--", label="worst element as given")
-        line = [found[t] for t in ("rest", *BLENDS, "element") if t in found]
-        axis.plot(*zip(*line), color="0.6", lw=1, marker="o", ms=3.5, zorder=1, label="blends of rest and element")
-        for k, (_, worst, mean) in enumerate(CONSTANTS.get(title, [])):
-            axis.scatter(mean, worst, 40, facecolors="none", edgecolors="#c8102e", zorder=4,
-                         label=None if k else "keep with other constants")
-        for name, (marker, color, size) in looks.items():
-            if name in found:
-                axis.scatter(*found[name], size, marker=marker, color=color, zorder=5 if name == "keep" else 3,
-                             label=name, edgecolors="white", linewidths=0.6)
-        axis.set_title(title, fontsize=9.5)
-        axis.set_ylim(0, axis.get_ylim()[1] * 1.06)
-        axis.margins(x=0.12)
-        low, high = axis.get_xlim()
-        wider = max(0, LEAST_SPAN - (high - low)) / 2
-        axis.set_xlim(low - wider, high + wider)
+        rows = [row for row in table if row["case"] == title and row["worst"]]
+        if not rows:
+            axis.set_axis_off()
+            continue
+        draw_case(axis, title, rows)
         axis.xaxis.set_major_locator(ticker.MaxNLocator(5))
-        axis.grid(color="0.92")
-        axis.set_axisbelow(True)
-    measures = [("sine", axes[:2].flat), ("scaled Jacobian", axes[2])]
-    for measure, those in measures:
-        for axis in those:
-            axis.set_xlabel(f"mean of the elements' {measure} [-]")
-    for row, measure in zip(axes, ("sine", "sine", "scaled Jacobian")):
-        row[0].set_ylabel(f"smallest {measure} [-]")
-    entries = {}
-    for axis in axes.flat:
         for handle, label in zip(*axis.get_legend_handles_labels()):
             entries.setdefault(label, handle)
     figure.legend(entries.values(), entries.keys(), loc="lower center", ncol=4, frameon=False,
