@@ -192,21 +192,21 @@ class Sweep(ProgramTest):
     def test_bad_tables_name_the_line(self):
         self.ring()
         for text, line, message in (
-                ("body,3\n", 1, 'found the column "body", expected names of columns'),
-                ("marker,rotat\nbody,3\n", 1, 'found the column "rotat"'),
+                ("body,3\n", 1, "found the column 'body', expected names of columns"),
+                ("marker,rotat\nbody,3\n", 1, "found the column 'rotat'"),
                 ("marker,rotate,rotate\nbody,3,4\n", 1, "twice"),
                 ("rotate\n3\n", 1, 'found no column "marker"'),
                 ("marker\nbody\n", 1, "found nothing that moves"),
                 ("marker,rotate,pivot_x\nbody,3,1\n", 1, "some of the columns pivot"),
                 ("marker,rotate\n\n# none\n", 3, "found no row"),
                 ("marker,rotate\nbody,3,4\n", 2, "found 3 columns, expected 2"),
-                ("marker,rotate\nbody,x\n", 2, 'found "x" in the column rotate'),
+                ("marker,rotate\nbody,x\n", 2, "found 'x' in the column rotate"),
                 ("marker,rotate\nbody,inf\n", 2, "expected a finite number"),
                 ("marker,rotate\n,3\n", 2, "found an empty name of a marker"),
                 ("marker,rotate,pivot_x,pivot_y\nbody,3,1,\n", 2, "found an empty field of the pivot"),
                 ("step,marker,rotate\na,body,3\n,body,4\n", 3, "found an empty field"),
                 ('step,marker,rotate\na,body,3\nb,body,4\na,"farfield,body",4\n', 4,
-                 'found the marker "body" twice in step a')):
+                 "found the marker 'body' twice in step a")):
             error = self.refused("--table", self.table(text), code=INPUT)
             self.assertIn(f"motions.csv:{line}: ", error)
             self.assertIn(message, error)
@@ -219,9 +219,10 @@ class Sweep(ProgramTest):
         self.sweep("--marker", "body", "--rotate", "-10:0:5", "--reference-mesh", "ring.su2",
                    mesh="turned.su2")
         self.assertLess(difference(self.path("out/s_1.su2"), self.path("ring.su2")), 1e-8)
+        self.ring("layered.su2", quads=True, rings=24)
         self.sweep("--marker", "body", "--rotate", "5,10", "--hold-layers", "body",
-                   out="held_{rotate}.su2")
-        self.winslow("move", "ring.su2", "-o", "one.su2", "--marker", "body", "--rotate", "10",
+                   out="held_{rotate}.su2", mesh="layered.su2")
+        self.winslow("move", "layered.su2", "-o", "one.su2", "--marker", "body", "--rotate", "10",
                      "--hold-layers", "body")
         self.assertLess(difference(self.path("held_10.su2"), self.path("one.su2")), 1e-9)
 

@@ -16,6 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The shortest number that is read back exactly.
+std::string exact(double value) {
+  std::string text;
+  io::append_number(text, value);
+  return text;
+}
+
 /// The value of a word in braces.
 std::string value_of(const std::string& word, const std::string& pattern,
                      const io::MotionStep& step) {
@@ -31,15 +38,15 @@ std::string value_of(const std::string& word, const std::string& pattern,
                      std::to_string(step.bodies.size()) + " move in step " + step.name +
                      ": name the files by {step}");
   const RigidMotion& motion = step.bodies.front().motion;
-  if (word == "rotate") return number_text(motion.rotate);
-  return number_text(motion.translate[word.back() - 'x']);
+  if (word == "rotate") return exact(motion.rotate);
+  return exact(motion.translate[word.back() - 'x']);
 }
 
 /// "flap,tab rotate=-30 pivot=0.85,-0.04": the bodies of a step as --body says them.
 std::string text_of(const std::vector<MovingBody>& bodies, int dimension) {
   const auto numbers = [](const Vec3& vector, int count) {
     std::string text;
-    for (int k = 0; k < count; ++k) text += (k > 0 ? "," : "") + number_text(vector[k]);
+    for (int k = 0; k < count; ++k) text += (k > 0 ? "," : "") + exact(vector[k]);
     return text;
   };
   std::string text;
@@ -47,7 +54,7 @@ std::string text_of(const std::vector<MovingBody>& bodies, int dimension) {
     const RigidMotion& motion = body.motion;
     std::string names;
     for (const std::string& name : body.markers) names += (names.empty() ? "" : ",") + name;
-    text += (text.empty() ? "" : " --body ") + names + " rotate=" + number_text(motion.rotate);
+    text += (text.empty() ? "" : " --body ") + names + " rotate=" + exact(motion.rotate);
     if (motion.rotate != 0) {
       if (motion.pivot) text += " pivot=" + numbers(*motion.pivot, dimension);
       if (motion.axis && dimension == 3) text += " axis=" + numbers(*motion.axis, 3);
@@ -66,7 +73,7 @@ std::string csv_field(const std::string& text) {
   return out + '"';
 }
 
-std::string csv_number(double value) { return std::isfinite(value) ? number_text(value) : ""; }
+std::string csv_number(double value) { return std::isfinite(value) ? exact(value) : ""; }
 
 /// A mesh's quality as fields of a CSV file. With names[k] the k-th field is called.
 struct QualityColumns {
@@ -201,7 +208,9 @@ class SweepRun final : public SeriesMonitor {
     std::cout << printable("step " + job_.steps[result.step].name + ", " +
                            text_of(row.bodies, dimension()) + ": " + row.status);
     if (result.run && result.run->smooth.nothing_moves) std::cout << ", nothing moves";
-    if (row.linear_solves > 0) std::cout << ", " << row.linear_solves << " linear solves";
+    if (row.linear_solves > 0)
+      std::cout << ", " << row.linear_solves
+                << (row.linear_solves == 1 ? " linear solve" : " linear solves");
     if (!row.begins.empty()) std::cout << printable(" from step " + row.begins);
     if (row.quality)
       std::cout << ", smallest sine "

@@ -30,6 +30,8 @@ std::optional<CommandResult> MovingMesh::from_last(const ResolvedCommand& comman
   RunOptions run = options;
   run.start = last_.front().get();
   run.near.earlier.assign(last_.begin() + 1, last_.end());
+  if (last_.size() < most_kept)
+    run.near.earlier.push_back(std::make_shared<const Coordinates>(given_.mesh.coordinates));
   const std::vector<MovingBody> bodies = bodies_of(command.command(), given_);
   if (!bodies.empty() && !bodies_.empty())
     run.near.way = ways_between(bodies_, bodies).value_or(std::vector<MovingBody>());

@@ -17,7 +17,9 @@ using Bodies = std::vector<MovingBody>;
 using KnownMesh = std::shared_ptr<const Coordinates>;
 
 constexpr double farthest_turn = 90;   // degrees, from a neighbour
+constexpr double largest_whole = 180;  // degrees, of a step that begins from a neighbour
 constexpr std::size_t most_known = 4;  // meshes that predict the next one
+constexpr double sliver = 0.1;         // of the smallest sine of the mesh as given
 
 /// The steps as a tree: each begins from its parent's mesh.
 class SeriesTree {
@@ -77,7 +79,7 @@ class SeriesTree {
         if (!done[i] && (next == count || distance[i] < distance[next])) next = i;
       done[next] = true;
       for (std::size_t i = 0; i < count; ++i) {
-        if (done[i] || distance[i] == 0) continue;
+        if (done[i] || distance[i] == 0 || largest_turn(steps_[i]) > largest_whole) continue;
         const auto way = ways_between(steps_[next], steps_[i]);
         if (!way || largest_turn(*way) > farthest_turn) continue;
         const double there = length(*way, steps_[next]);
@@ -182,6 +184,7 @@ class SeriesRun {
         status_(steps_.size(), SeriesStatus::failed) {
     common_.how = series.how;
     common_.smooth = series.smooth;
+    smallest_sine_given_ = smallest_sine(state.mesh);
   }
 
   std::vector<SeriesStatus> run() {
@@ -254,7 +257,7 @@ class SeriesRun {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const std::vector<std::size_t>& children = tree_.children(task.step);
     Line line = task.before;
-    if (result->status == SeriesStatus::done && !children.empty()) {
+    if (!children.empty() && result->run && serves_others(*result->run)) {
       line.insert(
           line.begin(),
           {task.step, std::make_shared<const Coordinates>(result->run->state.mesh.coordinates)});
@@ -329,7 +332,17 @@ class SeriesRun {
     } catch (const Error&) {
       return false;
     }
-    return status_of(result.run->smooth) == SeriesStatus::done;
+    return serves_others(*result.run);
+  }
+
+  /// Whether the mesh is the only solution as far as we know: among meshes with slivers there may
+  /// be several.
+  bool serves_others(const CommandResult& run) const {
+    if (status_of(run.smooth) != SeriesStatus::done) return false;
+    return smallest_sine(run.state.mesh) >= sliver * smallest_sine_given_;
+  }
+  double smallest_sine(const Mesh& mesh) const {
+    return check_validity(*mesh.topology, mesh.coordinates, common_.smooth.threads).min_sine;
   }
 
   const Series& series_;
@@ -338,6 +351,7 @@ class SeriesRun {
   MoveCommand common_;
   std::vector<Bodies> steps_;
   SeriesTree tree_;
+  double smallest_sine_given_ = 0;
   std::mutex mutex_;  // guards all below
   std::condition_variable wake_;
   std::deque<Task> waiting_;

@@ -19,7 +19,9 @@
 /// spanning tree that goes out from the mesh as given (R. C. Prim, Bell Syst. Tech. J. 36, 1957).
 /// Meshes of neighbours predict the next one, so that a step of two degrees needs two or three
 /// linear solves. A step begins from the mesh as given where its result might depend on the
-/// beginning, or where no path leads from the neighbour: starts_at_neighbours().
+/// beginning, or where no path leads from the neighbour: starts_at_neighbours(). So it does where a
+/// body turns by more than 180 degrees, or the smallest sine falls below a tenth of that of the
+/// mesh as given: meshes that are strained so much may be one of several solutions.
 ///
 /// THREADS: jobs at once, each on one thread; a single job uses SmoothOptions::threads. Results do
 /// not depend on either, to the bit.
