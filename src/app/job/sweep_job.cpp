@@ -43,10 +43,12 @@ std::string value_of(const std::string& word, const std::string& pattern,
 }
 
 /// "flap,tab rotate=-30 pivot=0.85,-0.04": the bodies of a step as --body says them.
-std::string text_of(const std::vector<MovingBody>& bodies, int dimension) {
-  const auto numbers = [](const Vec3& vector, int count) {
+/// number: the text of a number, exact in files and short on the terminal.
+std::string text_of(const std::vector<MovingBody>& bodies, int dimension,
+                    std::string (*number)(double)) {
+  const auto numbers = [number](const Vec3& vector, int count) {
     std::string text;
-    for (int k = 0; k < count; ++k) text += (k > 0 ? "," : "") + exact(vector[k]);
+    for (int k = 0; k < count; ++k) text += (k > 0 ? "," : "") + number(vector[k]);
     return text;
   };
   std::string text;
@@ -54,7 +56,7 @@ std::string text_of(const std::vector<MovingBody>& bodies, int dimension) {
     const RigidMotion& motion = body.motion;
     std::string names;
     for (const std::string& name : body.markers) names += (names.empty() ? "" : ",") + name;
-    text += (text.empty() ? "" : " --body ") + names + " rotate=" + exact(motion.rotate);
+    text += (text.empty() ? "" : " --body ") + names + " rotate=" + number(motion.rotate);
     if (motion.rotate != 0) {
       if (motion.pivot) text += " pivot=" + numbers(*motion.pivot, dimension);
       if (motion.axis && dimension == 3) text += " axis=" + numbers(*motion.axis, 3);
@@ -206,14 +208,14 @@ class SweepRun final : public SeriesMonitor {
   void print(const SeriesResult& result, const Row& row) {
     progress_.clear();
     std::cout << printable("step " + job_.steps[result.step].name + ", " +
-                           text_of(row.bodies, dimension()) + ": " + row.status);
+                           text_of(row.bodies, dimension(), number_text) + ": " + row.status);
     if (result.run && result.run->smooth.nothing_moves) std::cout << ", nothing moves";
     if (row.linear_solves > 0)
       std::cout << ", " << row.linear_solves
                 << (row.linear_solves == 1 ? " linear solve" : " linear solves");
     if (!row.begins.empty()) std::cout << printable(" from step " + row.begins);
     if (row.quality)
-      std::cout << ", smallest sine "
+      std::cout << (dimension() == 3 ? ", smallest scaled Jacobian " : ", smallest sine ")
                 << formatted("%.3f", row.quality->of(Metric::normalized_jacobian).statistics.min);
     if (row.heights)
       std::cout << formatted(", first heights x %.3g to %.3g", row.heights->low, row.heights->high);
@@ -255,7 +257,7 @@ class SweepRun final : public SeriesMonitor {
     const bool run = row.status != "not run";
     out << csv_field(job_.steps[step].name) << ',' << row.status << ',' << csv_field(row.message)
         << ',' << csv_field(run ? row.output : "") << ','
-        << csv_field(text_of(row.bodies, dimension()));
+        << csv_field(text_of(row.bodies, dimension(), exact));
     for (const auto& markers : bodies) {
       const auto body = std::ranges::find(row.bodies, markers, &MovingBody::markers);
       const RigidMotion motion = body == row.bodies.end() ? RigidMotion() : body->motion;
