@@ -8,6 +8,7 @@
 #include "core/command/history.h"
 #include "core/command/moving_mesh.h"
 #include "core/command/option_tables.h"
+#include "core/command/series.h"
 #include "core/drag/drag_session.h"
 #include "core/error.h"
 #include "core/inspect/element_field.h"
@@ -28,6 +29,7 @@
 #if __has_include(<nlohmann/json_fwd.hpp>)
 #include "io/recipe/recipe.h"
 #endif
+#include "io/tables/motion_table.h"
 #include "io/tables/slide_files.h"
 #include "io/tables/table_files.h"
 #endif

@@ -6,9 +6,13 @@ namespace {
 
 // A missing third component is 0 in the mesh's coordinates, but not in the frame. The number of
 // given components is preserved.
-void put_in_frame(MoveCommand& command, const LocalFrame& frame) {
-  for (MovingBody& body : command.bodies)
+void put_in_frame(std::vector<MovingBody>& bodies, const LocalFrame& frame) {
+  for (MovingBody& body : bodies)
     if (body.motion.pivot) *body.motion.pivot -= frame.origin();
+}
+
+void put_in_frame(MoveCommand& command, const LocalFrame& frame) {
+  put_in_frame(command.bodies, frame);
 }
 
 void put_in_frame(DeformCommand& command, const LocalFrame& frame) {
@@ -34,6 +38,12 @@ void put_in_frame(LayersCommand& command, const LocalFrame& frame) {
 void put_in_frame(SmoothCommand&, const LocalFrame&) {}
 void put_in_frame(ScrambleCommand&, const LocalFrame&) {}
 void put_in_frame(EditVcvCommand&, const LocalFrame&) {}
+
+void put_in_frame(NearStart& near, const LocalFrame& frame) {
+  put_in_frame(near.way, frame);
+  for (std::vector<MovingBody>& bodies : near.beside) put_in_frame(bodies, frame);
+  for (auto& mesh : near.earlier) mesh = std::make_shared<const Coordinates>(frame.to_local(*mesh));
+}
 
 /// Converts the positions in a result.
 void put_in_mesh(SmoothResult& result, const LocalFrame& frame) {
@@ -97,6 +107,7 @@ CommandResult carry_out_in(const LocalFrame& frame, const Command& command, cons
     start = frame.to_local(*options.start);
     local_options.start = &start;
   }
+  put_in_frame(local_options.near, frame);
   if (auto& surface = local_options.files.reference) surface = moved_to(*surface, frame.origin());
   CommandResult result = carry_out(in_frame(command, frame), local, local_options);
   Coordinates& x = result.state.mesh.coordinates;

@@ -18,8 +18,9 @@ namespace winslow {
 /// To within the tolerances, the mesh depends only on the position of the bodies, not on the path
 /// to it. The targets are the element shapes of the mesh as given, so errors do not accumulate, and
 /// a body that returns to an earlier position gets the earlier mesh. A step is cheaper than a
-/// separate command: it starts from the last mesh and reuses targets, patterns and orderings
-/// (SolverCache).
+/// separate command: it starts from the last meshes and reuses targets, patterns and orderings
+/// (SolverCache). Steps as small as those of a time loop are extrapolated from the last ones and
+/// need one linear solve, or two.
 ///
 /// One call at a time. A call that throws, Cancelled included, changes nothing: the last mesh
 /// remains that of the previous call.
@@ -40,7 +41,9 @@ class MovingMesh {
                                          const RunOptions& options) const;
 
   MeshState given_;
-  std::optional<Coordinates> last_;  // valid; none: the mesh as given
+  // The last results, valid, the latest first; empty: the mesh as given.
+  std::vector<std::shared_ptr<const Coordinates>> last_;
+  std::vector<MovingBody> bodies_;  // moved in the last result, with pivots; empty: not known
   SolverCache cache_;
 };
 

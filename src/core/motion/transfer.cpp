@@ -1,5 +1,7 @@
 #include "core/motion/transfer.h"
 
+#include <Eigen/QR>
+
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 
@@ -54,8 +56,8 @@ class StraightTransfer final : public Motion {
       if (fraction == 1) {
         out.copy_node(node, target_);
       } else {
-        const Vec3 p = rest.xyz(node);
-        out.set_xyz(node, p + fraction * (target_.xyz(node) - p));
+        const Vec3 p = place_of(rest, node);
+        set_place(out, node, p + fraction * (place_of(target_, node) - p));
       }
     }
   }
@@ -65,15 +67,101 @@ class StraightTransfer final : public Motion {
   Coordinates target_;
 };
 
+/// Moves bodies along a motion, and every other node in a straight line.
+class BodyTransfer final : public Motion {
+ public:
+  BodyTransfer(std::vector<Index> nodes, const Coordinates& to, const Motion& bodies)
+      : straight_(std::move(nodes), to), bodies_(bodies) {
+    std::ranges::set_intersection(straight_.nodes(), bodies.nodes(),
+                                  std::back_inserter(with_bodies_));
+  }
+
+  std::span<const Index> nodes() const override { return straight_.nodes(); }
+  const Motion& of_bodies() const override { return bodies_; }
+  void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
+    straight_.apply(rest, fraction, out);
+    if (fraction == 1) return;
+    Coordinates moved = rest;
+    bodies_.apply(rest, fraction, moved);
+    for (const Index node : with_bodies_) out.copy_node(node, moved);
+  }
+
+ private:
+  StraightTransfer straight_;
+  const Motion& bodies_;
+  std::vector<Index> with_bodies_;
+};
+
+/// Nodes without unknowns that are elsewhere in the other mesh.
+std::vector<Index> prescribed_nodes(const NodeClasses& classes, const Coordinates& from,
+                                    const Coordinates& to) {
+  std::vector<Index> nodes;
+  for (Index node = 0; node < from.size(); ++node)
+    if (!classes.moves(node) && !from.same_place(node, to)) nodes.push_back(node);
+  return nodes;
+}
+
 }  // namespace
 
 std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordinates& from,
                                       const Coordinates& to) {
-  std::vector<Index> nodes;
-  for (Index node = 0; node < from.size(); ++node)
-    if (!classes.moves(node) && !from.same_place(node, to)) nodes.push_back(node);
+  std::vector<Index> nodes = prescribed_nodes(classes, from, to);
   if (from.dimension() == 3) return std::make_unique<StraightTransfer>(std::move(nodes), to);
   return std::make_unique<Transfer>(std::move(nodes), from, to);
+}
+
+std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordinates& from,
+                                      const Coordinates& to, const Motion& bodies) {
+  return std::make_unique<BodyTransfer>(prescribed_nodes(classes, from, to), to, bodies);
+}
+
+namespace {
+
+/// Differences of the places of nodes between two meshes, one after another.
+Eigen::VectorXd differences(std::span<const Index> nodes, const Coordinates& from,
+                            const Coordinates& to) {
+  Eigen::VectorXd out(3 * std::ssize(nodes));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    out.segment<3>(3 * static_cast<Eigen::Index>(i)) =
+        place_of(to, nodes[i]) - place_of(from, nodes[i]);
+  return out;
+}
+
+}  // namespace
+
+std::optional<Coordinates> extrapolated(std::span<const Coordinates* const> known,
+                                        std::span<const Index> nodes, const Coordinates& target) {
+  const Coordinates& nearest = *known.front();
+  const Eigen::VectorXd wanted = differences(nodes, nearest, target);
+  const double length = wanted.norm();
+  if (length == 0) return nearest;
+  const Eigen::Index count = std::ssize(known) - 1, rows = wanted.size();
+  if (count == 0) return std::nullopt;
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows + count - 1, count);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(rows + count - 1);
+  right.head(rows) = wanted;
+  constexpr double soft = 1e-3;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    matrix.col(k).head(rows) = differences(nodes, nearest, *known[static_cast<std::size_t>(k) + 1]);
+    // The way is measured from the nearest mesh, 0, to the target, 1. Powers of it are exact, too.
+    const double way = matrix.col(k).head(rows).dot(wanted) / (length * length);
+    for (Eigen::Index power = 2; power <= count; ++power) {
+      matrix(rows + power - 2, k) = soft * length * std::pow(way, power);
+      right(rows + power - 2) = soft * length;
+    }
+  }
+  const Eigen::VectorXd shares = matrix.colPivHouseholderQr().solve(right);
+  constexpr double near = 0.1, most = 100;
+  const double off = (matrix.topRows(rows) * shares - wanted).norm();
+  if (!(off <= near * length) || !(shares.lpNorm<1>() <= most)) return std::nullopt;
+  Coordinates out = nearest;
+  const auto values = out.values();
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto other = known[static_cast<std::size_t>(k) + 1]->values();
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] += shares[k] * (other[i] - nearest.values()[i]);
+  }
+  return out;
 }
 
 namespace {

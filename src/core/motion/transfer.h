@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/mesh/mesh.h"
 #include "core/motion/motion.h"
 #include "core/problem/node_classes.h"
 
@@ -13,6 +12,19 @@ namespace winslow {
 /// `to`.
 std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordinates& from,
                                       const Coordinates& to);
+/// The same along a motion of bodies from `from`, which has to outlive the result: other nodes
+/// without unknowns move in straight lines.
+std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordinates& from,
+                                      const Coordinates& to, const Motion& bodies);
+
+/// Predicts a mesh from known ones: the combination a_1 x_1 + ... + a_n x_n, a_1 + ... + a_n = 1,
+/// whose `nodes` come nearest to their places in `target` (least squares). Several poses of a body
+/// that turns contain all other poses about the same pivot, so that what moves with the body is
+/// exact. What the nodes leave open is determined by extrapolation along the way of the nodes. None
+/// if the combination misses the target by a tenth of the distance from known.front(), or if it
+/// would enlarge errors of the known meshes a hundredfold. known: at least one, all alike.
+std::optional<Coordinates> extrapolated(std::span<const Coordinates* const> known,
+                                        std::span<const Index> nodes, const Coordinates& target);
 
 /// Interpolates meshes between two meshes of a path of rigid bodies: one for every degree of
 /// rotation and every 2 % of a body's extent of translation, without the ends. bodies: the nodes of

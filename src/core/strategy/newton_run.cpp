@@ -95,6 +95,16 @@ void NewtonRun::smooth(Coordinates& x, double fraction, const Coordinates* refer
   converge(x, fraction);
 }
 
+bool NewtonRun::converge_near(Coordinates& x) {
+  constexpr int limit = 6;
+  constexpr double near = 0.1;  // scaled residual
+  recorder_.iterate(newton(), x, Stage::newton, 1, limit, [](const IterationRecord& record) {
+    return record.residual > near || record.damping < 1;
+  });
+  recorder_.result().linear_solver = linear().description();
+  return recorder_.result().converged;
+}
+
 /// Returns to the solution, near enough to follow the path from there. Returns false if it is not
 /// found.
 bool NewtonRun::settle(Coordinates& x, double fraction) {

@@ -26,6 +26,9 @@ class NewtonRun {
   /// Smooths with the boundary held. reference: a valid mesh of the same connectivity that gives
   /// the sizes of the elements for untangling; may be null.
   virtual void smooth(Coordinates& x, double fraction, const Coordinates* reference);
+  /// Converges from a mesh near the solution, whose boundary is at its end. Returns false if the
+  /// mesh is not that near; x is then undefined.
+  bool converge_near(Coordinates& x);
   /// Moves the boundary from x (any mesh, at the start of the motion) in `increments` equal steps,
   /// without intermediate meshes; 0: along a path of valid meshes, which ends at the last valid one
   /// if blocked. rest: the mesh to which the motion refers.

@@ -86,6 +86,22 @@ struct BodyNodes {
   std::vector<Index> standing;
 };
 
+/// What else is known of the start of a motion, for a MovingMesh and a Series.
+struct NearStart {
+  /// How the bodies get from the start to the end of the motion: along the arcs of these motions,
+  /// which refer to the mesh of the start and have pivots. Empty: the shortest way.
+  std::vector<MovingBody> way = {};
+  /// Earlier results of the same motion at other ends, the nearest first. If a combination of these
+  /// meshes and of the start is valid and near to the result, no path is followed.
+  std::vector<std::shared_ptr<const Coordinates>> earlier = {};
+  /// The result has to be that of the run without a start: a motion that contact blocks on its way
+  /// from the state's mesh is not begun, and the start is left aside if contact blocks one of the
+  /// motions `beside`, which go from the state's mesh to places between the start and the end. So
+  /// no body lies between the way of the start and that of the motion.
+  bool as_without = false;
+  std::vector<std::vector<MovingBody>> beside = {};
+};
+
 /// Inputs of a run besides its command.
 struct RunOptions {
   SolverMonitor* monitor = nullptr;
@@ -112,6 +128,7 @@ struct RunOptions {
   /// Factors of the heights of layers in the targets (WallStretch::find()), for a run that corrects
   /// heights. Null: none.
   const std::vector<double>* layer_factors = nullptr;
+  NearStart near = {};  ///< used together with `start`
 };
 
 /// How a smoothing run ended.

@@ -62,6 +62,7 @@ RunSequence::RunSequence(const RunOptions& run, SmoothResult& result)
     : relay_(run.monitor), options_(run), result_(result) {
   options_.monitor = &relay_;
   options_.start = nullptr;
+  options_.near = {};
 }
 
 SmoothResult RunSequence::smooth(const MeshState& state, const SmoothOptions& smooth,

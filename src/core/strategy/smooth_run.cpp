@@ -123,19 +123,53 @@ Index keep_fixed(const MeshState& state, const NodeClasses& classes,
   return state.surface ? 0 : static_cast<Index>(kept - held_inside);
 }
 
-/// Starts a motion from a mesh near its end: along the path from there if that mesh is valid, in
-/// one step if it is valid with the final boundary.
-bool move_from(const MeshState& state, const Motion& motion, const Coordinates& start,
-               const SmoothingWorkspace& workspace, NewtonRun& steps, Coordinates& x) {
+/// Converges from a combination of the start with earlier meshes (NearStart). target: any mesh with
+/// the boundary at the end of the motion. Returns false if there is none that is valid and near.
+bool converge_from_earlier(const Coordinates& target, const RunOptions& run,
+                           SmoothingWorkspace& workspace, NewtonRun& steps, Coordinates& x) {
+  const SmoothOptions& options = workspace.options();
+  // The energy of other targets depends on the way to the mesh (VariationalRun::fitting()).
+  if (options.formulation != Formulation::variational || options.targets.keep == 0) return false;
+  std::vector<const Coordinates*> known{run.start};
+  for (const auto& mesh : run.near.earlier) known.push_back(mesh.get());
+  std::vector<Index> nodes;
+  for (Index node = 0; node < target.size(); ++node)
+    if (!workspace.classes().moves(node)) nodes.push_back(node);
+  for (std::size_t count = known.size(); count > 0; --count) {
+    const auto mesh = extrapolated(std::span(known).first(count), nodes, target);
+    if (!mesh) continue;
+    Coordinates near = unknowns_within(workspace.classes(), *mesh, target);
+    const auto energy = workspace.energy();
+    // Puts nodes that slide on what they slide on.
+    energy->advance(std::vector<double>(energy->unknowns(), 0.0), 0, near);
+    if (workspace.validity(near).inverted > 0 || !std::isfinite(energy->energy(near))) continue;
+    if (!steps.converge_near(near)) return false;
+    x = std::move(near);
+    return true;
+  }
+  return false;
+}
+
+/// Starts a motion from a mesh near its end: from earlier meshes, or along the path from the start
+/// if that mesh is valid, or in one step if it is valid with the final boundary.
+bool move_from(const MeshState& state, const Motion& motion, const RunOptions& run,
+               SmoothingWorkspace& workspace, NewtonRun& steps, Coordinates& x) {
+  const Coordinates& start = *run.start;
   const NodeClasses& classes = workspace.classes();
   const auto valid = [&](const Coordinates& mesh) {
     return workspace.validity(mesh).inverted == 0;
   };
   Coordinates target = state.mesh.coordinates;
   motion.apply(state.mesh.coordinates, 1, target);
+  if (converge_from_earlier(target, run, workspace, steps, x)) return true;
   if (valid(start)) {
     x = start;
-    steps.move(*make_transfer(classes, start, target), start, 0, x);
+    const auto way = run.near.way.empty()
+                         ? nullptr
+                         : make_motion(*state.mesh.topology, start, std::span(run.near.way));
+    const auto transfer =
+        way ? make_transfer(classes, start, target, *way) : make_transfer(classes, start, target);
+    steps.move(*transfer, start, 0, x);
     return true;
   }
   Coordinates within = unknowns_within(classes, start, target);
@@ -244,6 +278,18 @@ bool is_blocked(const MeshState& state, const Motion& motion,
                                 yielding_nodes(result.boundary, classes));
   take_if_first(inversion, result);
   return result.contact || result.held_inversion;
+}
+
+/// Whether a start may be used: see NearStart.
+bool may_start_there(const MeshState& state, const RunOptions& run, const NodeClasses& classes,
+                     const MovingBoundary& boundary) {
+  const Mesh& mesh = state.mesh;
+  return std::ranges::none_of(run.near.beside, [&](const std::vector<MovingBody>& bodies) {
+    const auto motion = make_motion(*mesh.topology, mesh.coordinates, std::span(bodies));
+    return find_contact(*mesh.topology, mesh.coordinates, *motion,
+                        yielding_nodes(boundary, classes))
+        .has_value();
+  });
 }
 
 /// Moves the boundary, and what else a motion takes, and nothing else.
@@ -400,15 +446,17 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
     follow_with_vcvs(state, workspace, recorder, x);
     return result;
   }
-  const bool near_start = run.start && !how.floor.given();  // limits apply to the whole path
-  const bool known = run.all_or_nothing && how.increments == 0 && !near_start;
+  bool near_start = run.start && !how.floor.given();  // limits apply to the whole path
+  const bool known =
+      run.all_or_nothing && how.increments == 0 && (!near_start || run.near.as_without);
   if (known && is_blocked(state, bodies, inversion, workspace.classes(), result))
     return not_begun(state, options, x, std::move(result));
+  near_start = near_start && may_start_there(state, run, workspace.classes(), result.boundary);
   const auto steps = make_newton_run(state, workspace, recorder);
   steps->keep_within(how.floor);
   steps->end_at_contact(run.all_or_nothing);
   if (known) steps->way_is_clear();
-  if (!along_path || !near_start || !move_from(state, motion, *run.start, workspace, *steps, x)) {
+  if (!along_path || !near_start || !move_from(state, motion, run, workspace, *steps, x)) {
     if (along_path) x = state.mesh.coordinates;
     steps->move(motion, state.mesh.coordinates, how.increments, x);
   }

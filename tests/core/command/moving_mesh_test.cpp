@@ -90,3 +90,30 @@ TEST_CASE("a result of other elements, or one that is not valid, is no place to 
   CHECK(difference(moving.to(turned(state, 5)).state, execute(turned(state, 5), state).state) <
         1e-9);
 }
+
+TEST_CASE("small steps are predicted from the last ones and need about one linear solve each") {
+  for (const MeshState& state : {plane_state(), space_state()}) {
+    MovingMesh moving(state);
+    int solves = 0;
+    constexpr int steps = 12, first = 4;
+    for (int step = 1; step <= steps; ++step) {
+      const CommandResult result = moving.to(turned(state, 0.1 * step));
+      CHECK(result.smooth.converged);
+      if (step > first) solves += result.smooth.linear_solves;
+    }
+    CHECK(solves <= (steps - first) * 5 / 4);
+  }
+}
+
+TEST_CASE("several bodies go on along their own arcs, and full turns count") {
+  const MeshState state = make_state(make_mesh(square_with_two_holes(20, Cells::triangles)));
+  MovingMesh moving(state);
+  MoveCommand command;
+  for (const double share : {1.0, 1.5, -0.5}) {
+    command.bodies = {{{"hole_a"}, {.rotate = 20 * share}},
+                      {{"hole_b"}, {.rotate = -14 * share, .translate = Vec2(0, 0.02 * share)}}};
+    const CommandResult result = moving.to(command);
+    CHECK(result.smooth.converged);
+    CHECK(difference(result.state, execute(command, state).state) < 1e-9);
+  }
+}

@@ -165,3 +165,54 @@ TEST_CASE("bodies that turn against each other are each where their own motion t
       CHECK((between[k].xy(node) - transform(b, before.coordinates.xy(node))).norm() < 1e-9);
   }
 }
+
+TEST_CASE("poses of a body that turns predict all its other poses, and what lies beside it") {
+  const Mesh mesh = make_mesh(annulus(16, 3, 1.5, Cells::triangles));
+  // The mesh follows a field of the angle that is no rigid motion: x + sin, cos of shares of it.
+  const auto turned = [&](double angle) {
+    Coordinates x = mesh.coordinates;
+    for (Index node = 0; node < x.size(); ++node) {
+      const Vec2 p = mesh.coordinates.xy(node);
+      const double share = (3.375 - p.norm()) / 2.375;
+      const double a = radians(angle) * share, c = std::cos(a), s = std::sin(a);
+      x.set_xy(node, Vec2(c * p.x() - s * p.y(), s * p.x() + c * p.y()));
+    }
+    return x;
+  };
+  const auto inner = mesh.topology->markers().nodes(*mesh.topology->markers().find("inner"));
+  const std::vector<Coordinates> meshes{turned(15), turned(10), turned(5), turned(0)};
+  const Coordinates target = turned(20);
+  double before = 1;
+  for (const std::size_t count : {2u, 3u, 4u}) {
+    std::vector<const Coordinates*> known;
+    for (std::size_t k = 0; k < count; ++k) known.push_back(&meshes[k]);
+    const auto predicted = extrapolated(known, inner, target);
+    REQUIRE(predicted);
+    const double off = largest_difference(*predicted, target);
+    CHECK(off < 0.3 * before);  // another order
+    before = off;
+    double at_body = 0;
+    for (const Index node : inner)
+      at_body = std::max(at_body, (predicted->xy(node) - target.xy(node)).norm());
+    if (count == 3) CHECK(at_body < 1e-5);
+  }
+  CHECK(before < 2e-3);
+}
+
+TEST_CASE("a prediction has to reach the places of the nodes") {
+  const Mesh mesh = make_mesh(annulus(16, 3, 1.5, Cells::triangles));
+  const auto moved = [&](const Vec2& way) {
+    Coordinates x = mesh.coordinates;
+    for (Index node = 0; node < x.size(); ++node) x.set_xy(node, x.xy(node) + way);
+    return x;
+  };
+  const auto nodes = mesh.topology->markers().nodes(*mesh.topology->markers().find("inner"));
+  const Coordinates there = moved(Vec2(0.1, 0)), target = moved(Vec2(0.2, 0));
+  const std::vector<const Coordinates*> known{&there, &mesh.coordinates};
+  const auto along = extrapolated(known, nodes, target);
+  REQUIRE(along);
+  CHECK(largest_difference(*along, target) < 1e-14);
+  CHECK_FALSE(extrapolated(known, nodes, moved(Vec2(0.1, 0.1))));
+  CHECK_FALSE(extrapolated(std::span(known).first(1), nodes, target));
+  CHECK(*extrapolated(known, nodes, there) == there);
+}
