@@ -2,7 +2,7 @@
 // from the mesh as given; neighbours help one another, so that a step needs two or three linear
 // solves.
 //
-//     ./series three_element.su2 flap -12 6 3
+//     ./series three_element.su2 flap -9 6 3
 #include <winslow/winslow.h>
 
 #include <cstdio>

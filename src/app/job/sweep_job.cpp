@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "app/job/edit_job.h"
+#include "app/output/quality_csv.h"
 #include "core/error.h"
 #include "core/quality/mesh_change.h"
 #include "io/file/atomic_file.h"
@@ -65,14 +66,6 @@ std::string text_of(const std::vector<MovingBody>& bodies, int dimension,
       text += " translate=" + numbers(motion.translate, dimension);
   }
   return text;
-}
-
-/// A field of a CSV file, quoted if necessary.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + '"';
 }
 
 std::string csv_number(double value) { return std::isfinite(value) ? exact(value) : ""; }

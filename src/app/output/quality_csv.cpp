@@ -41,14 +41,6 @@ void add_metric(std::vector<std::string>& values, const QualityReport& quality, 
   values.insert(values.end(), texts.begin(), texts.end());
 }
 
-/// A field as RFC 4180 has it.
-std::string csv_field(const std::string& field) {
-  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
-  std::string text = "\"";
-  for (const char c : field) text.append(c == '"' ? 2 : 1, c);
-  return text + '"';
-}
-
 }  // namespace
 
 std::vector<std::string> quality_columns() {
@@ -70,6 +62,13 @@ std::vector<std::string> quality_values(const Mesh& mesh, const QualityReport& q
   for (const double height : {heights.min, heights.median, heights.max})
     values.push_back(heights.count > 0 ? text_of(height) : "");
   return values;
+}
+
+std::string csv_field(const std::string& field) {
+  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
+  std::string text = "\"";
+  for (const char c : field) text.append(c == '"' ? 2 : 1, c);
+  return text + '"';
 }
 
 std::string csv_line(const std::vector<std::string>& fields) {

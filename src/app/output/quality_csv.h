@@ -22,8 +22,9 @@ std::vector<std::string> quality_columns();
 /// least one of the worst elements (QualityOptions::worst).
 std::vector<std::string> quality_values(const Mesh& mesh, const QualityReport& quality);
 
-/// Fields with commas between them and a line end. Fields with commas, quotation marks or line ends
-/// are quoted (RFC 4180).
+/// A field of a CSV file: quoted if it has commas, quotation marks or line ends (RFC 4180).
+std::string csv_field(const std::string& field);
+/// Fields with commas between them and a line end, each as by csv_field().
 std::string csv_line(const std::vector<std::string>& fields);
 
 }  // namespace winslow::app

@@ -173,7 +173,9 @@ void require_dimension(const Command& command, const MeshState& state) {
   const SmoothOptions* smooth = smooth_options(command);
   std::visit(
       [&](const auto& c) {
-        if (!(surface ? c.serves_surfaces : c.serves_volumes)) require_plane(topology, c.name);
+        if (surface && !c.serves_surfaces)
+          throw UsageError(std::string(c.name) +
+                           ": only for plane and volume meshes, and this is a surface mesh");
         if constexpr (requires { c.how.floor; }) c.how.floor.require_dimension(dimension);
         if constexpr (requires { c.bodies; })
           for (const MovingBody& body : c.bodies)

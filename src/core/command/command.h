@@ -19,20 +19,19 @@
 /// Every edit of a mesh is one of these commands. The command line, the studio, undo and recipes
 /// all go through execute(); nothing else changes a mesh.
 ///
-/// TO ADD A COMMAND, write a header with a struct that has `name`, `summary`, `beyond_table`,
-/// `serves_surfaces` and `serves_volumes` (the kinds of meshes, besides plane ones, that accept the
-/// command). Add option_table(), describe_one() and execute_one() for the struct, and the struct to
-/// Command. Recipes, the command line, forms and histories then support it. If beyond_table is
-/// true, the struct has members that its option table lacks (lists, other objects). Recipes, the
-/// command line and forms then need functions for these members: without them the program does not
-/// compile.
+/// TO ADD A COMMAND, write a header with a struct that has `name`, `summary`, `beyond_table` and
+/// `serves_surfaces` (whether surface meshes accept the command, as plane and volume meshes do).
+/// Add option_table(), describe_one() and execute_one() for the struct, and the struct to Command.
+/// Recipes, the command line, forms and histories then support it. If beyond_table is true, the
+/// struct has members that its option table lacks (lists, other objects). Recipes, the command line
+/// and forms then need functions for these members: without them the program does not compile.
 namespace winslow {
 
 /// Smooths the interior and holds the boundary.
 struct SmoothCommand {
   static constexpr std::string_view name = "smooth";
   static constexpr std::string_view summary = "Smooth the interior, the boundary held";
-  static constexpr bool beyond_table = false, serves_surfaces = true, serves_volumes = true;
+  static constexpr bool beyond_table = false, serves_surfaces = true;
 
   SmoothOptions smooth;
 };
@@ -42,7 +41,7 @@ struct SmoothCommand {
 struct MoveCommand {
   static constexpr std::string_view name = "move";
   static constexpr std::string_view summary = "Move bodies rigidly, and the mesh with them";
-  static constexpr bool beyond_table = true, serves_surfaces = false, serves_volumes = true;
+  static constexpr bool beyond_table = true, serves_surfaces = false;
 
   std::vector<MovingBody> bodies = std::vector<MovingBody>(1);
   MotionOptions how;
@@ -55,7 +54,7 @@ struct DeformCommand {
   static constexpr std::string_view name = "deform";
   static constexpr std::string_view summary =
       "Change the shape of bodies, and move the mesh with them";
-  static constexpr bool beyond_table = true, serves_surfaces = false, serves_volumes = true;
+  static constexpr bool beyond_table = true, serves_surfaces = false;
 
   std::vector<std::string> markers;
   std::variant<SineDeformation, DisplacementTable, PositionTable> shape;
@@ -70,7 +69,7 @@ struct ScrambleCommand {
   static constexpr std::string_view summary =
       "Put every interior node at a random place of the mesh's bounding box: a test of smoothing "
       "(needs --allow-inverted to be written)";
-  static constexpr bool beyond_table = false, serves_surfaces = true, serves_volumes = true;
+  static constexpr bool beyond_table = false, serves_surfaces = true;
 
   std::uint64_t seed = 1;
 };
@@ -80,7 +79,7 @@ struct ScrambleCommand {
 struct EditVcvCommand {
   static constexpr std::string_view name = "edit_vcv";
   static constexpr std::string_view summary = "Change virtual control volumes, then smooth";
-  static constexpr bool beyond_table = true, serves_surfaces = true, serves_volumes = true;
+  static constexpr bool beyond_table = true, serves_surfaces = true;
 
   std::vector<VcvEdit> edits;
   SmoothOptions smooth;
@@ -92,7 +91,7 @@ struct LayersCommand : LayerRequest {
   static constexpr std::string_view name = "layers";
   static constexpr std::string_view summary =
       "Insert viscous layers at walls: quadrilaterals of wanted heights";
-  static constexpr bool beyond_table = true, serves_surfaces = false, serves_volumes = true;
+  static constexpr bool beyond_table = true, serves_surfaces = false;
 };
 
 using Command = std::variant<SmoothCommand, MoveCommand, DeformCommand, ScrambleCommand,

@@ -269,15 +269,17 @@ LayerOptions layers_at(const Mesh& mesh, bool match_outside) {
 
 }  // namespace
 
-TEST_CASE("commands are refused by their names on meshes that are not plane") {
+TEST_CASE("commands that cannot serve surface meshes are refused by their names") {
   for (const Command& command : all_commands()) {
     if (std::holds_alternative<SmoothCommand>(command) ||
         std::holds_alternative<ScrambleCommand>(command) ||
         std::holds_alternative<EditVcvCommand>(command))
       continue;  // of surface meshes, too
-    check_refused(
-        std::string(command_name(command)),
-        [&](const Mesh& mesh) { execute(command, state_of(mesh)); }, false);
+    const std::string message = std::string(command_name(command)) +
+                                ": only for plane and volume meshes, and this is a surface mesh";
+    for (const Other& other : other_meshes())
+      if (other.kind == "surface mesh")
+        CHECK_THROWS_WITH_AS(execute(command, state_of(other.mesh)), message.c_str(), UsageError);
   }
 }
 
