@@ -74,6 +74,7 @@ double PathFollower::go(const Path& path, double from, Coordinates& x, const Acc
   double step = options_.first_step;
   const double min_sine = solver_.problem().validity(x).min_sine;
   bool correct = true, cut = false;
+  int short_steps = 0;  // in a row, with meshes away from the path
   while (fraction < 1) {
     // Slightly lengthens the last step to avoid a very short one.
     constexpr double stretch = 1.05;
@@ -114,11 +115,14 @@ double PathFollower::go(const Path& path, double from, Coordinates& x, const Acc
       continue;
     }
     x = std::move(trial_x);
+    constexpr double away = 0.01;  // residual
+    short_steps = to - fraction < 2 * long_step && record.residual > away ? short_steps + 1 : 0;
     fraction = to;
     correct = true;
     cut = false;
     record.fraction = fraction;
     if (!accept(record, x)) break;
+    if (options_.patience > 0 && short_steps >= options_.patience) break;
     if (trial.corrections <= 1) step *= options_.growth;
   }
   return fraction;

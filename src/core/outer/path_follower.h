@@ -41,6 +41,10 @@ struct PathOptions {
   std::function<bool(const Coordinates&)> admits;
   double finest_step = 1e-3;
   bool greedy = false;  ///< accept any valid mesh after a cautious step, instead of giving up
+  /// Number of short steps in a row, with meshes away from the path, after which follow() returns;
+  /// 0: never. Away from the path predictions of thin elements are valid for short steps only,
+  /// because the Hessian there does not respect rotations.
+  int patience = 0;
 };
 
 /// Follows the steady mesh while the boundary moves: tangent predictor, exact validity check,

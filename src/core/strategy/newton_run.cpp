@@ -210,6 +210,8 @@ void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x)
   options.admits = within_limits;
   // Limits apply to solutions, so the meshes on the path must be close to solutions.
   if (floor_.given()) options.loose_tolerance = 1e-3;
+  constexpr int patience = 4;
+  if (on_path()) options.patience = patience;
   double reached = 0;
   within_limits(x);
   for (int failures = 0; !ended && reached < 1 && failures < 2 && recorder_.remaining() > 0;) {
@@ -232,6 +234,12 @@ void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x)
     }
     options.first_step = std::min(0.02, 0.5 * (1 - reached));
     options.greedy = failures > 0;
+    // Settling costs as much as many short steps: it has to pay, and meshes stay nearer to the
+    // path from then on.
+    constexpr double worth_settling = 0.1, near = 0.02;
+    if (options.patience > 0) options.loose_tolerance = std::min(options.loose_tolerance, near);
+    options.patience = reached - last > worth_settling ? patience : 4 * options.patience;
+    if (!on_path()) options.patience = 0;
   }
   if (reached < 1 && limit.empty() && smallest_sine(x) < least_sine) {
     ended = true;
