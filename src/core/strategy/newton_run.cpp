@@ -182,6 +182,24 @@ void NewtonRun::move_along_path(const Motion& motion, const Coordinates& rest, C
     result.gap = smallest_gap(topology, x, motion.of_bodies(), yielding_nodes());
 }
 
+namespace {
+
+constexpr int patience_on_path = 4;  // short steps
+
+/// Options for the next part of a path, which begins at a settled mesh. last, reached: the
+/// fractions of the motion between which the part before went; failed: it gained next to nothing.
+void go_on_from(double last, double reached, bool failed, PathOptions& options) {
+  options.first_step = std::min(0.02, 0.5 * (1 - reached));
+  options.greedy = failed;
+  // Settling costs as much as many short steps: it has to pay, and meshes stay nearer to the path
+  // from then on.
+  constexpr double worth_settling = 0.1, near = 0.02;
+  if (options.patience > 0) options.loose_tolerance = std::min(options.loose_tolerance, near);
+  options.patience = reached - last > worth_settling ? patience_on_path : 4 * options.patience;
+}
+
+}  // namespace
+
 /// least_sine: smallest normalized Jacobian at which a blocked motion may end.
 void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x) {
   SteadySolver& solver = newton();
@@ -210,8 +228,7 @@ void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x)
   options.admits = within_limits;
   // Limits apply to solutions, so the meshes on the path must be close to solutions.
   if (floor_.given()) options.loose_tolerance = 1e-3;
-  constexpr int patience = 4;
-  if (on_path()) options.patience = patience;
+  if (on_path()) options.patience = patience_on_path;
   double reached = 0;
   within_limits(x);
   for (int failures = 0; !ended && reached < 1 && failures < 2 && recorder_.remaining() > 0;) {
@@ -232,13 +249,7 @@ void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x)
       x = std::move(end_of_path);
       break;
     }
-    options.first_step = std::min(0.02, 0.5 * (1 - reached));
-    options.greedy = failures > 0;
-    // Settling costs as much as many short steps: it has to pay, and meshes stay nearer to the
-    // path from then on.
-    constexpr double worth_settling = 0.1, near = 0.02;
-    if (options.patience > 0) options.loose_tolerance = std::min(options.loose_tolerance, near);
-    options.patience = reached - last > worth_settling ? patience : 4 * options.patience;
+    go_on_from(last, reached, failures > 0, options);
     if (!on_path()) options.patience = 0;
   }
   if (reached < 1 && limit.empty() && smallest_sine(x) < least_sine) {

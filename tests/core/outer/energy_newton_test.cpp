@@ -14,6 +14,7 @@
 #include "core/strategy/workspace.h"
 #include "support/formulations.h"
 #include "support/meshes.h"
+#include "support/random.h"
 
 using namespace winslow;
 using namespace winslow::test;
@@ -224,6 +225,45 @@ TEST_CASE("a path that is blocked ends at the last valid mesh") {
   CHECK(reached < contact);
   CHECK(reached > 0.8 * contact);
   CHECK(check_validity(*mesh.topology, x, 1).inverted == 0);
+}
+
+TEST_CASE("short steps away from the path use up the patience of its follower") {
+  const Mesh mesh = make_mesh(annulus(32, 12, 1.2, Cells::triangles));
+  const auto motion = make_motion(*mesh.topology, mesh.coordinates, {"inner"},
+                                  RigidMotion{30, Vec2(0, 0), Vec2(0, 0)});
+  const auto follow = [&](bool away, int patience, int& steps) {
+    const Solver solver(mesh);
+    Coordinates x = mesh.coordinates;
+    solver.run(x);
+    if (away) {
+      const Coordinates solution = x;
+      for (double by = 0.05; by == 0.05 || solver.newton->start(x).residual > 0.2; by /= 2) {
+        Random random(7);
+        x = solution;
+        for (const Index node : mesh.topology->interior_nodes())
+          x.set_xy(node, x.xy(node) + by * random.vector());
+      }
+      REQUIRE(solver.newton->start(x).residual > 0.02);
+    }
+    PathOptions options;
+    options.first_step = 0.01;
+    options.growth = 1;
+    options.loose_tolerance = 0.5;
+    options.flattened = 0;
+    options.trusted_residual = 1;
+    options.patience = patience;
+    return PathFollower(*solver.newton, options)
+        .follow(along(*motion, mesh.coordinates), 0, x,
+                [&](const IterationRecord&, const Coordinates&) { return ++steps > 0; });
+  };
+  int steps = 0;
+  CHECK(follow(true, 3, steps) == doctest::Approx(0.03));
+  CHECK(steps == 3);
+  steps = 0;
+  CHECK(follow(true, 0, steps) == 1);  // never impatient
+  CHECK(steps > 50);
+  steps = 0;
+  CHECK(follow(false, 3, steps) == 1);  // on the path
 }
 
 TEST_CASE("the regularised energy untangles a boundary that was turned at once") {
