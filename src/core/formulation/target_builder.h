@@ -4,7 +4,7 @@
 #include "core/formulation/kept_shapes.h"
 #include "core/formulation/stretch_field.h"
 #include "core/formulation/target_metric.h"
-#include "core/formulation/wall_stretch.h"
+#include "core/formulation/target_shapes.h"
 #include "core/problem/node_classes.h"
 
 /// The base of the classes that build targets: of faces (target_shapes.cpp) and of volume elements
@@ -17,14 +17,13 @@ class TargetBuilder {
   /// given: null if the blend does not refer to it. normals: of the elements of a surface mesh.
   TargetBuilder(const Topology& topology, const TargetBlend& blend, const Coordinates* given,
                 int threads, std::span<const Index> urgent, const NodeClasses* classes,
-                const ElementRoles* roles, std::span<const Vec3> normals,
-                const WallStretch* wall_stretch)
+                std::span<const Vec3> normals, const ElementDetails& details)
       : topology_(topology),
         blend_(normalized(blend)),
         classes_(classes),
-        wall_stretch_(blend_.keep > 0 ? wall_stretch : nullptr),
-        roles_(roles) {
-    require_role_of_each(roles, topology);
+        wall_stretch_(blend_.keep > 0 ? details.wall_stretch : nullptr),
+        roles_(details.roles) {
+    require_role_of_each(roles_, topology);
     if (refers_to_given(blend) && !given) throw UsageError("targets that refer to no mesh");
     if (blend.automatic == 0) return;
     stretch_ = stretch_field(topology, *given, threads, normals);

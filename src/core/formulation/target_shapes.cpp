@@ -13,10 +13,8 @@ class FaceTargets : TargetBuilder {
  public:
   FaceTargets(const VirtualControlVolumes& vcv, const TargetBlend& blend, const Coordinates* given,
               int threads, std::span<const Index> urgent, const NodeClasses* classes,
-              std::span<const Vec3> normals, const ElementRoles* roles,
-              const WallStretch* wall_stretch)
-      : TargetBuilder(vcv.topology(), blend, given, threads, urgent, classes, roles, normals,
-                      wall_stretch),
+              std::span<const Vec3> normals, const ElementDetails& details)
+      : TargetBuilder(vcv.topology(), blend, given, threads, urgent, classes, normals, details),
         vcv_(vcv),
         given_(given),
         normals_(normals) {
@@ -284,10 +282,8 @@ class FaceTargets : TargetBuilder {
 TargetShapes TargetShapes::build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
                                  const Coordinates* given, int threads,
                                  std::span<const Index> urgent, const NodeClasses* classes,
-                                 std::span<const Vec3> normals, const ElementRoles* roles,
-                                 const WallStretch* wall_stretch) {
-  return FaceTargets(vcv, blend, given, threads, urgent, classes, normals, roles, wall_stretch)
-      .build();
+                                 std::span<const Vec3> normals, const ElementDetails& details) {
+  return FaceTargets(vcv, blend, given, threads, urgent, classes, normals, details).build();
 }
 
 }  // namespace winslow

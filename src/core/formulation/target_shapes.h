@@ -10,6 +10,13 @@
 
 namespace winslow {
 
+/// What single elements are besides their shapes.
+struct ElementDetails {
+  const ElementRoles* roles = nullptr;  ///< of all elements; null: all ordinary
+  /// For the share `keep`; null: no wall is stretched.
+  const WallStretch* wall_stretch = nullptr;
+};
+
 /// All targets of a plane mesh or a surface mesh: triangles, and corners of quadrilaterals, each
 /// with one or more terms. The terms of an element have weights that sum to its own
 /// (element_weight()), however many of its nodes lie at the boundary.
@@ -25,16 +32,14 @@ struct TargetShapes : CellTargets<2> {
   /// and `rest` refer; may be null if those are zero. threads: 0 for all cores. urgent: elements
   /// whose weight under `automatic` is multiplied by four for each time they are listed. classes:
   /// which nodes move; null: only interior nodes. normals: for a surface mesh, those of its
-  /// elements in the mesh as given (ElementNormals); needed if `given` is. roles: of the elements;
-  /// null: all ordinary. wall_stretch: for the share `keep`; null: no wall is stretched. Throws
-  /// UsageError for shares that are negative or all zero, MeshError if `rest` counts and the mesh
-  /// has an inverted element.
+  /// elements in the mesh as given (ElementNormals); needed if `given` is. Throws UsageError for
+  /// shares that are negative or all zero, MeshError if `rest` counts and the mesh has an inverted
+  /// element.
   static TargetShapes build(const VirtualControlVolumes& vcv, const TargetBlend& blend,
                             const Coordinates* given, int threads = 0,
                             std::span<const Index> urgent = {},
                             const NodeClasses* classes = nullptr,
-                            std::span<const Vec3> normals = {}, const ElementRoles* roles = nullptr,
-                            const WallStretch* wall_stretch = nullptr);
+                            std::span<const Vec3> normals = {}, const ElementDetails& details = {});
 };
 
 /// Properties of single nodes and elements.

@@ -14,8 +14,8 @@ class VolumeTargets : TargetBuilder {
   VolumeTargets(const Topology& topology, const VolumeVcvs* vcvs, const TargetBlend& blend,
                 const Coordinates* given, int threads, std::span<const Index> urgent,
                 const VolumeTargetDetails& details)
-      : TargetBuilder(topology, blend, given, threads, urgent, details.classes, details.roles, {},
-                      details.wall_stretch),
+      : TargetBuilder(topology, blend, given, threads, urgent, details.classes, {},
+                      {details.roles, details.wall_stretch}),
         vcvs_(vcvs),
         stencils_(details.stencils),
         threads_(threads),

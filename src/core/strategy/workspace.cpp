@@ -189,7 +189,7 @@ std::shared_ptr<const VariationalForm> SmoothingWorkspace::make_form(const FormK
       key.given ? element_normals(*classes, *key.given, threads) : std::vector<Vec3>();
   TargetShapes targets =
       TargetShapes::build(*key.plane_vcvs, key.targets, key.given.get(), threads, key.urgent,
-                          classes, normals, key.roles.get(), key.wall_stretch.get());
+                          classes, normals, {key.roles.get(), key.wall_stretch.get()});
   if (!is_surface(classes->topology()))
     return std::make_shared<const VariationalWinslow>(
         energy_pattern<VariationalWinslow>(key.pattern, targets), targets, options_.penalty);

@@ -117,7 +117,7 @@ TEST_CASE("the role of an element: its weight, and whether it follows edited VCV
   CHECK(expected >= 1e3);
   roles[static_cast<std::size_t>(keeps)] = ElementRole::beside_layers;
   const auto build = [&] {
-    return TargetShapes::build(vcv, TargetBlend::regular(), nullptr, 1, {}, nullptr, {}, &roles);
+    return TargetShapes::build(vcv, TargetBlend::regular(), nullptr, 1, {}, nullptr, {}, {&roles});
   };
   const TargetShapes shapes = build();
   for (std::size_t t = 0; t < shapes.cells.size(); ++t) {
