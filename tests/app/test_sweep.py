@@ -64,6 +64,15 @@ class Sweep(ProgramTest):
         self.assertIn("step 4, flap rotate=0: done, nothing moves", run.stdout)
         self.assertIn("6 steps in ", run.stdout)
 
+    def test_steps_that_harm_the_mesh_are_named_as_move_does(self):
+        run = self.sweep(*FLAP, "--rotate", "-1,-30", mesh=WING)
+        one = self.winslow("move", WING, "-o", "one.su2", *FLAP, "--rotate", "-1")
+        self.assertNotIn("fell from", one.stderr)
+        one = self.winslow("move", WING, "-o", "one.su2", *FLAP, "--rotate", "-30")
+        self.assertIn("the smallest sine fell from", one.stderr)
+        self.assertIn("warning: step 2: the smallest sine fell by more than 10 %", run.stderr)
+        self.assertNotIn("1", run.stderr.split("warning: step")[1].split(":")[0])
+
     def test_ranges_are_lists_as_well_and_combine(self):
         self.ring()
         self.sweep("--marker", "body", "--rotate", "-.5,0:1:.25", "--translate", "0,0.1", "0:-.1:-.1",

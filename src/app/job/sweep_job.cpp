@@ -101,6 +101,7 @@ struct Row {
   std::vector<MovingBody> bodies;
   std::optional<QualityReport> quality;
   std::optional<Quantiles> heights;  // first heights over those of the reference mesh
+  bool harmed = false;               // by find_damage()'s measures, against the reference mesh
   int linear_solves = 0, iterations = 0;
   double fraction = 0, seconds = 0;
 };
@@ -172,10 +173,16 @@ class SweepRun final : public SeriesMonitor {
     row.iterations = run.smooth.outer_iterations;
     row.fraction = run.smooth.fraction_reached;
     row.quality = measure_quality(run.state.mesh, quality_options());
+    const auto smallest = [](const QualityReport& quality) {
+      return quality.of(Metric::normalized_jacobian).statistics.min;
+    };
+    row.harmed = smallest(*row.quality) < least_sine_kept * smallest(inputs_.reference);
     if (const auto change =
             compare_first_heights(inputs_.reference.walls.walls, row.quality->walls.walls);
-        change && change->ratio.count > 0)
+        change && change->ratio.count > 0) {
       row.heights = change->ratio;
+      row.harmed |= spoils_walls(*change);
+    }
   }
 
   bool may_write(SeriesStatus status) const {
@@ -408,6 +415,26 @@ Series series_of(const SweepJob& job, const Inputs& inputs) {
   return series;
 }
 
+/// Warns of steps whose meshes are valid, but may hurt a flow solver.
+void warn_of_damage(const SweepJob& job, const std::vector<Row>& rows, int dimension) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i].harmed && rows[i].quality->inverted == 0) names.push_back(job.steps[i].name);
+  if (names.empty()) return;
+  constexpr std::size_t most = 10;
+  const std::size_t others = names.size() > most ? names.size() - most : 0;
+  names.resize(names.size() - others);
+  std::string text = names.size() == 1 ? "step " : "steps ";
+  text += listed(names, [](const std::string& name) { return name; });
+  if (others > 0) text += " and " + std::to_string(others) + " more";
+  text += dimension == 3
+              ? ": the smallest scaled Jacobian fell by more than 10 %"
+              : ": the smallest sine fell by more than 10 %, or first heights changed by "
+                "more than 5 % at more than 5 % of the wall nodes or by more than 20 % "
+                "at one";
+  std::cerr << "winslow: warning: " << printable(text) << '\n';
+}
+
 /// Says which steps were not reached, and returns the exit status.
 ExitCode judge(const SweepJob& job, const std::vector<Row>& rows) {
   ExitCode code = ExitCode::done;
@@ -487,6 +514,7 @@ ExitCode run_sweep_job(const SweepJob& job) {
   if (!job.files.quiet) {
     if (!job.results.empty()) std::cout << "Wrote " << printable(job.results) << '\n';
     std::cout << run.rows().size() << " steps in " << total.seconds() << " s\n";
+    warn_of_damage(job, run.rows(), run.dimension());
   }
   return judge(job, run.rows());
 }

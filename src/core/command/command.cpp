@@ -10,6 +10,7 @@
 #include "core/strategy/held_walls.h"
 #include "core/strategy/sliding.h"
 #include "core/strategy/smooth_run.h"
+#include "core/strategy/surface_first.h"
 #include "core/strategy/surface_shape.h"
 #include "core/vcv/sphere/node_vcv.h"
 

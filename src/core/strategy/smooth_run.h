@@ -20,11 +20,4 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
 /// for a start with another number of nodes.
 Coordinates starting_point(const MeshState& state, const RunOptions& options);
 
-/// Smooths the sliding boundary of a volume mesh first, as a surface mesh, so that the interior
-/// does not affect its faces. Then moves the boundary there through valid meshes and smooths the
-/// interior (options.slide.surface_first). x: start on entry, result on return. Throws UsageError
-/// for other meshes than volume meshes, and without sliding markers.
-SmoothResult smooth_surface_first(const MeshState& state, const SmoothOptions& options,
-                                  Coordinates& x, const RunOptions& run);
-
 }  // namespace winslow

@@ -168,6 +168,21 @@ TEST_CASE("First heights in the plane do not depend on how far a wall is stretch
   }
 }
 
+TEST_CASE("Where a motion ends early, heights are those for the walls as far as they came") {
+  const Mesh mesh = make_mesh(o_grid(48, distances(24, 0.005, 1.25, 24), Cut::none));
+  const auto far_out = [](const Vec3& p) { return Vec3(9 * p.x(), p.y(), p.z()); };
+  const CommandResult result = execute(deformed(mesh, "wall", far_out), make_state(mesh));
+  CHECK(result.smooth.inverted == 0);
+  REQUIRE(result.smooth.fraction_reached > 0.2);
+  REQUIRE(result.smooth.fraction_reached < 0.7);
+  const auto walls = find_walls(mesh);
+  const auto before = first_heights(mesh, walls[0]);
+  auto ratios = first_heights({mesh.topology, result.state.mesh.coordinates}, walls[0]);
+  for (std::size_t k = 0; k < ratios.size(); ++k) ratios[k] /= before[k];
+  // With the targets for the end of the motion it would be about half.
+  CHECK(quantiles_of(ratios).median == doctest::Approx(1).epsilon(0.05));
+}
+
 TEST_CASE("A wall that is stretched and goes back leaves the mesh as it was") {
   const Mesh mesh = make_mesh(o_grid(48, distances(20, 0.01, 1.25, 20), Cut::forward));
   const auto stretch = [](const Vec3& p) { return Vec3(1.3 * p.x(), p.y(), p.z()); };

@@ -29,7 +29,14 @@ PanelRegistry make_panels() {
   // Hidden for a surface mesh, which keeps its shape; the menus explain this.
   r.add({"motion", "Move the selection", Region::left, motion_panel(), {}, movable_meshes});
   r.add({"shape", "Shape", Region::left, shape_panel(), {}, movable_meshes});
-  r.add({"layers", "Layers", Region::left, layers_panel(), {}, movable_meshes, plane_meshes});
+  r.add({"layers",
+         "Layers",
+         Region::left,
+         layers_panel(),
+         {},
+         movable_meshes,
+         plane_meshes,
+         "Layers: those of selected walls can be held, by the menu Layers."});
   r.add({"solver", "Solver", Region::left, solver_panel()});
   r.add({"mesh", "Mesh", Region::left, mesh_panel()});
   r.add({"measures", "Areas and volumes", Region::left, measures_panel(), {}, meshes_in_space});
@@ -63,6 +70,8 @@ void PanelRegistry::draw(Region region, const PanelContext& context, MeshKind me
     if (panel.tab && panel.tab != context.view.side_tab) continue;
     if (panel.serves.contains(mesh))
       panel.draw(context);
+    else if (!panel.instead.empty())
+      ui::text_wrapped(panel.instead, palette().text_dim);
     else
       ui::text_dim(panel.title + ": not for " + kinds[static_cast<std::size_t>(mesh)] + " meshes.");
   }

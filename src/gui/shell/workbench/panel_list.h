@@ -15,7 +15,8 @@ struct RegisteredPanel {
   DrawPanel draw;
   std::optional<SideTab> tab = {};   ///< tab that contains the panel; none: in no tab
   MeshKinds shown_for = all_meshes;  ///< hidden while another kind of mesh is open
-  MeshKinds serves = all_meshes;     ///< for other kinds, a line says that they are not supported
+  MeshKinds serves = all_meshes;     ///< for other kinds, words take the place of the panel
+  std::string instead = {};          ///< these words; empty: that such meshes are not supported
 };
 
 /// The panels of the studio, in their order within the regions.
