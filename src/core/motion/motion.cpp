@@ -16,12 +16,14 @@ class Rigid final : public Motion {
   /// motion: resolved.
   Rigid(std::vector<Index> nodes, const RigidMotion& motion)
       : nodes_(std::move(nodes)),
+        motion_(motion),
         rotate_(motion.rotate),
         pivot_(motion.pivot->head<D>()),
         translate_(motion.translate.head<D>()),
         axis_(axis_of(motion).normalized()) {}
 
   std::span<const Index> nodes() const override { return nodes_; }
+  const RigidMotion* rigid() const override { return &motion_; }
   bool moves() const override { return rotate_ != 0 || !translate_.isZero(0); }
 
   void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
@@ -43,6 +45,7 @@ class Rigid final : public Motion {
   }
 
   std::vector<Index> nodes_;
+  RigidMotion motion_;
   double rotate_;
   Vec<D> pivot_, translate_;
   Vec3 axis_;

@@ -20,6 +20,9 @@ class Motion {
   virtual bool moves() const { return true; }
   /// The motion of the bodies alone, without nodes between them that move along.
   virtual const Motion& of_bodies() const { return *this; }
+  /// The motion if all nodes move as one rigid body: complete, see resolve_motion(). Null: they do
+  /// not.
+  virtual const RigidMotion* rigid() const { return nullptr; }
   /// The motions of the single bodies; empty if there is only one body.
   virtual std::span<const std::unique_ptr<Motion>> bodies() const { return {}; }
 };

@@ -176,7 +176,8 @@ void NewtonRun::move_along_path(const Motion& motion, const Coordinates& rest, C
   }
   // Limits apply to solutions, so the meshes on the path must be solutions of the whole problem.
   if (!floor_.given()) begin_path();
-  follow_path(path, least_sine, x);
+  const double reached = carry_along(motion, path, x);
+  follow_path(path, reached, least_sine, x);
   result.linear_solver = linear().description();
   if (result.fraction_reached < 1 && !result.contact && result.limited_by.empty())
     result.gap = smallest_gap(topology, x, motion.of_bodies(), yielding_nodes());
@@ -200,10 +201,86 @@ void go_on_from(double last, double reached, bool failed, PathOptions& options) 
 
 }  // namespace
 
-/// least_sine: smallest normalized Jacobian at which a blocked motion may end.
-void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x) {
+/// Carries a mesh at one fraction of a motion to another, the boundary and all other nodes.
+Coordinates NewtonRun::carried(const Twist& twist, const Path& path, const Coordinates& x,
+                               double from, double to) {
+  Coordinates out = x;
+  path.move(to, out);
+  twist.carry(from, to, out);
+  const SmoothingProblem& problem = newton().problem();
+  problem.advance(std::vector<double>(problem.unknowns()), 1, out);  // back onto curves, surfaces
+  return out;
+}
+
+/// Whether Newton's method makes good steps from a mesh. If so, takes the first one, and adds it to
+/// the solves of the run.
+bool NewtonRun::correct(Coordinates& x) {
   SteadySolver& solver = newton();
-  PathMesh good{0, x};  // the last one without slivers
+  const int before = solver.linear_solves();
+  solver.start(x);
+  Coordinates corrected = x;
+  const bool good = !creeps(solver.step(corrected));
+  recorder_.result().linear_solves += solver.linear_solves() - before;
+  if (good)
+    x = std::move(corrected);
+  else
+    solver.reject();
+  return good;
+}
+
+/// Carries the whole mesh along with rigid bodies as far as Newton's method goes on well from
+/// there: the thinnest layers follow such a body at once, on a path only in short steps. The thin
+/// elements of a wake do not, and are better led along the path. Returns the fraction of the motion
+/// reached.
+double NewtonRun::carry_along(const Motion& motion, const Path& path, Coordinates& x) {
+  // In space so far only the path pays: sheared tetrahedra cost Newton's method more than it saves.
+  const Topology& topology = *state_.mesh.topology;
+  if (!on_path() || blocked_by_contact() || !may_carry_ || topology.cell_dimension() == 3) return 0;
+  const auto twist = Twist::find(workspace_.classes(), x, motion, workspace_.options().threads);
+  if (!twist) return 0;
+  constexpr double most_turn = 180, kept_sine = 0.4;
+  constexpr int limit = 10;  // corrections between two parts of the motion
+  const double least_sine = kept_sine * smallest_sine(x);
+  const double whole = 1 / std::max(1.0, std::ceil(twist->largest_turn() / most_turn));
+  double reached = 0, shortest = whole / 2;
+  for (double share = whole; reached < 1 && share >= shortest && recorder_.remaining() > 0;) {
+    const double to = std::min(1.0, reached + share);
+    Coordinates there = carried(*twist, path, x, reached, to);
+    const Validity validity = workspace_.validity(there);
+    if (validity.inverted > 0 || validity.min_sine < least_sine) {
+      share *= 0.5;
+      continue;
+    }
+    if (!correct(there)) return reached;
+    show_way(*twist, path, x, reached, to);
+    x = std::move(there);
+    reached = to;
+    shortest = whole / 8;
+    recorder_.report(newton().start(x), x, Stage::path, reached, true);
+    if (reached < 1) recorder_.iterate(newton(), x, Stage::path, reached, limit, near_enough);
+  }
+  return reached;
+}
+
+/// Reports valid meshes on the way between two fractions of a motion, so that those who watch see
+/// which way it went.
+void NewtonRun::show_way(const Twist& twist, const Path& path, const Coordinates& x, double from,
+                         double to) {
+  constexpr double turn = 30;  // degrees from one to the next
+  const int parts = static_cast<int>(std::ceil((to - from) * twist.largest_turn() / turn));
+  for (int k = 1; k < parts; ++k) {
+    const double between = from + (to - from) * k / parts;
+    const Coordinates there = carried(twist, path, x, from, between);
+    if (workspace_.validity(there).inverted > 0) continue;
+    recorder_.report(newton().start(there), there, Stage::path, between, true);
+  }
+}
+
+/// reached: the fraction of the motion at x. least_sine: smallest normalized Jacobian at which a
+/// blocked motion may end.
+void NewtonRun::follow_path(const Path& path, double reached, double least_sine, Coordinates& x) {
+  SteadySolver& solver = newton();
+  PathMesh good{reached, x};  // the last one without slivers
   double min_sine = 1;
   const auto accept = [&](const IterationRecord& record, const Coordinates& mesh) {
     recorder_.report(record, mesh, Stage::path, record.fraction, true);
@@ -229,7 +306,6 @@ void NewtonRun::follow_path(const Path& path, double least_sine, Coordinates& x)
   // Limits apply to solutions, so the meshes on the path must be close to solutions.
   if (floor_.given()) options.loose_tolerance = 1e-3;
   if (on_path()) options.patience = patience_on_path;
-  double reached = 0;
   within_limits(x);
   for (int failures = 0; !ended && reached < 1 && failures < 2 && recorder_.remaining() > 0;) {
     const int before = solver.linear_solves();

@@ -6,6 +6,7 @@
 #include "core/outer/path_follower.h"
 #include "core/strategy/mesh_state.h"
 #include "core/strategy/run.h"
+#include "core/strategy/twist.h"
 #include "core/strategy/untangling.h"
 #include "core/strategy/workspace.h"
 
@@ -23,6 +24,8 @@ class NewtonRun {
   void end_at_contact(bool whether) { end_at_contact_ = whether; }
   /// Tells move() that the motion has no contact, so it need not search for one.
   void way_is_clear() { way_is_clear_ = true; }
+  /// Tells move() that something is inverted on the way, so it has to go the whole way.
+  void way_is_blocked() { may_carry_ = false; }
   /// Smooths with the boundary held. reference: a valid mesh of the same connectivity that gives
   /// the sizes of the elements for untangling; may be null.
   virtual void smooth(Coordinates& x, double fraction, const Coordinates* reference);
@@ -86,7 +89,12 @@ class NewtonRun {
     double fraction;
     Coordinates x;
   };
-  void follow_path(const Path& path, double least_sine, Coordinates& x);
+  Coordinates carried(const Twist& twist, const Path& path, const Coordinates& x, double from,
+                      double to);
+  bool correct(Coordinates& x);
+  void show_way(const Twist& twist, const Path& path, const Coordinates& x, double from, double to);
+  double carry_along(const Motion& motion, const Path& path, Coordinates& x);
+  void follow_path(const Path& path, double reached, double least_sine, Coordinates& x);
   static void go_back(const Path& path, PathMesh& earlier, double& reached, Coordinates& x);
   bool blocked_by_contact() const { return recorder_.result().contact.has_value(); }
   bool settle(Coordinates& x, double fraction);
@@ -100,7 +108,7 @@ class NewtonRun {
   SmoothingWorkspace& workspace_;
   RunRecorder& recorder_;
   QualityFloor floor_;
-  bool end_at_contact_ = false, way_is_clear_ = false;
+  bool end_at_contact_ = false, way_is_clear_ = false, may_carry_ = true;
 };
 
 /// Smooths by the variational form.

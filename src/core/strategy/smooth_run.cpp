@@ -450,6 +450,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
   steps->keep_within(how.floor);
   steps->end_at_contact(run.all_or_nothing);
   if (known) steps->way_is_clear();
+  if (inversion) steps->way_is_blocked();
   if (!along_path || !near_start || !move_from(state, motion, run, workspace, *steps, x)) {
     if (along_path) x = state.mesh.coordinates;
     steps->move(motion, state.mesh.coordinates, how.increments, x);

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/motion/motion.h"
+#include "core/problem/node_classes.h"
+
+namespace winslow {
+
+/// Carries a whole mesh along with rigid bodies, as a start for its smoothing:
+///
+///     if (const auto twist = Twist::find(classes, x, motion, threads)) twist->carry(0, 1, x);
+///
+/// Each node follows a screw motion. Its twist is the sum of those of the bodies times the weights
+/// of the node. For each body, u solves Laplace's equation on the mesh with u = 1 on the
+/// body, and u = 0 on other bodies and on all fixed nodes. With S(u) = u^2 (3 - 2 u) and U the sum
+/// of u over the bodies, the weight of a body is S(U) S(u) over the sum of S(u). Near bodies the
+/// gradient of the weights vanishes, so layers there move as rigid bodies. If nothing is fixed, the
+/// weights add up to 1.
+class Twist {
+ public:
+  /// x: a valid mesh before the motion. None unless all bodies are rigid. classes outlives the
+  /// result.
+  static std::optional<Twist> find(const NodeClasses& classes, const Coordinates& x,
+                                   const Motion& motion, int threads);
+
+  /// Moves the nodes that have unknowns from their places at one fraction of the motion to those at
+  /// another. Sliding nodes move along their tangents, and off what they slide on if that is
+  /// curved. All other nodes stay. No body may turn by more than 180 degrees at once.
+  void carry(double from, double to, Coordinates& x) const;
+
+  /// The largest angle by which a body turns during the whole motion, in degrees.
+  double largest_turn() const;
+
+ private:
+  struct Body {
+    RigidMotion motion;           // resolved
+    std::vector<double> weights;  // #nodes
+  };
+
+  Twist(const NodeClasses& classes, const Vec3& origin) : classes_(classes), origin_(origin) {}
+  void set_weights(const std::vector<const Motion*>& bodies, std::vector<std::vector<double>> u);
+
+  const NodeClasses& classes_;
+  Vec3 origin_;  // to which the twists refer
+  std::vector<Body> bodies_;
+};
+
+}  // namespace winslow

@@ -1,0 +1,189 @@
+#include "core/strategy/twist.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "core/command/command.h"
+#include "support/layered_meshes.h"
+#include "support/samples.h"
+#include "support/space_meshes.h"
+
+using namespace winslow;
+using namespace winslow::test;
+
+namespace {
+
+/// The classes of a motion of bodies: all other boundary nodes are fixed.
+NodeClasses classes_for(const Mesh& mesh, const Motion& motion) {
+  NodeClasses classes(mesh.topology);
+  classes.set_prescribed(motion.nodes());
+  return classes;
+}
+
+/// The mesh after the whole motion, without any smoothing.
+Coordinates carried(const Mesh& mesh, const Motion& motion) {
+  const NodeClasses classes = classes_for(mesh, motion);
+  const auto twist = Twist::find(classes, mesh.coordinates, motion, 1);
+  REQUIRE(twist);
+  Coordinates x = mesh.coordinates;
+  motion.apply(mesh.coordinates, 1, x);
+  twist->carry(0, 1, x);
+  return x;
+}
+
+MovingBody body(const std::string& marker, double rotate, const Vec2& pivot,
+                const Vec2& translate = Vec2(0, 0)) {
+  MovingBody out{{marker}, {}};
+  out.motion.rotate = rotate;
+  out.motion.pivot = pivot;
+  out.motion.translate = translate;
+  return out;
+}
+
+RigidMotion space_motion(double rotate, const Vec3& axis, const Vec3& translate) {
+  RigidMotion out;
+  out.rotate = rotate;
+  out.axis = axis;
+  out.pivot = Vec3(0.1, -0.2, 0.3);
+  out.translate = translate;
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("Where nothing is fixed a twist is the rigid motion of the body, whatever its parts") {
+  for (const auto& [volumes, motion] :
+       {std::pair(Volumes::tetrahedra, space_motion(150, {1, 2, 3}, {0.3, 0.2, -1})),
+        std::pair(Volumes::prisms, space_motion(0, {0, 0, 1}, {0.3, 0.2, -1})),
+        std::pair(Volumes::hexahedra, space_motion(1e-7, {0, 1, 1}, {0.3, 0.2, -1})),
+        std::pair(Volumes::hexahedra, space_motion(-180, {0, 1, 0}, {2, 0.5, 0}))}) {
+    CAPTURE(name_of(volumes));
+    CAPTURE(motion.rotate);
+    const Mesh mesh = make_mesh(cube(4, volumes));
+    std::vector<std::string> all;
+    for (const Marker& marker : mesh.topology->markers()) all.push_back(marker.name);
+    const auto bodies = make_motion(*mesh.topology, mesh.coordinates, all, motion);
+    const Coordinates x = carried(mesh, *bodies);
+    for (Index node = 0; node < mesh.coordinates.size(); ++node)
+      CHECK((x.xyz(node) - transform(motion, mesh.coordinates.xyz(node))).norm() < 1e-12);
+  }
+}
+
+TEST_CASE("Bodies that move alike are one body to the nodes between them") {
+  const Mesh mesh = make_mesh(square_with_two_holes(10, Cells::triangles));
+  std::vector<MovingBody> bodies;
+  for (const char* marker : {"hole_a", "hole_b", "outer"})
+    bodies.push_back(body(marker, 77, {0.2, 0.1}, {3, 1}));
+  const auto motion = make_motion(*mesh.topology, mesh.coordinates, std::span(bodies));
+  const Coordinates x = carried(mesh, *motion);
+  for (Index node = 0; node < mesh.coordinates.size(); ++node) {
+    const Vec2 rigid = transform(bodies[0].motion, mesh.coordinates.xy(node));
+    CHECK((x.xy(node) - rigid).norm() < 1e-12);
+  }
+}
+
+TEST_CASE("Between a floor that moves and a lid that is fixed the weights follow the height") {
+  for (const Volumes volumes : all_volumes) {
+    CAPTURE(name_of(volumes));
+    const Mesh mesh = make_mesh(cube(4, volumes));
+    RigidMotion shift;
+    shift.axis = Vec3(0, 0, 1);
+    shift.translate = Vec3(0.3, -0.2, 0.1);
+    const auto motion = make_motion(*mesh.topology, mesh.coordinates, {"floor"}, shift);
+    NodeClasses classes(mesh.topology);
+    const std::string walls = "walls";
+    classes.set_free(mesh.topology->markers().nodes_of(std::span(&walls, 1)));
+    const std::string lid = "lid";
+    classes.set_fixed(mesh.topology->markers().nodes_of(std::span(&lid, 1)));
+    classes.set_prescribed(motion->nodes());
+    const auto twist = Twist::find(classes, mesh.coordinates, *motion, 1);
+    REQUIRE(twist);
+    Coordinates x = mesh.coordinates;
+    motion->apply(mesh.coordinates, 1, x);
+    twist->carry(0, 1, x);
+    for (Index node = 0; node < x.size(); ++node) {
+      const Vec3 rest = mesh.coordinates.xyz(node);
+      const double u = 1 - rest.z(), weight = u * u * (3 - 2 * u);
+      CHECK((x.xyz(node) - rest - weight * shift.translate).norm() < 1e-8);
+    }
+  }
+}
+
+TEST_CASE("Nodes turn by their share of the angle, which is that of the logarithm of the radius") {
+  for (const Cells cells : {Cells::triangles, Cells::quads}) {
+    CAPTURE(name_of(cells));
+    const Mesh mesh = make_mesh(annulus(48, 24, 1 + 6.0 / 48, cells));
+    const std::vector<MovingBody> bodies{body("inner", 120, {0, 0})};
+    const auto motion = make_motion(*mesh.topology, mesh.coordinates, std::span(bodies));
+    const Coordinates x = carried(mesh, *motion);
+    double largest = 0;
+    for (Index node = 0; node < x.size(); ++node)
+      largest = std::max(largest, mesh.coordinates.xy(node).norm());
+    for (Index node = 0; node < x.size(); ++node) {
+      const Vec2 from = mesh.coordinates.xy(node), to = x.xy(node);
+      CHECK(to.norm() == doctest::Approx(from.norm()).epsilon(1e-12));
+      const double u = std::log(largest / from.norm()) / std::log(largest);
+      const double turn = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+      CHECK(std::abs(degrees(turn) - 120 * u * u * (3 - 2 * u)) < 0.5);
+    }
+  }
+}
+
+TEST_CASE("A rotation in parts is the rotation at once") {
+  const Mesh mesh = make_mesh(square_with_hole(10, Cells::quads));
+  const std::vector<MovingBody> bodies{body("hole", 90, {0.4, 0.5})};
+  const auto motion = make_motion(*mesh.topology, mesh.coordinates, std::span(bodies));
+  const NodeClasses classes = classes_for(mesh, *motion);
+  const auto twist = Twist::find(classes, mesh.coordinates, *motion, 1);
+  REQUIRE(twist);
+  CHECK(twist->largest_turn() == 90);
+  Coordinates at_once = mesh.coordinates, in_parts = mesh.coordinates;
+  twist->carry(0, 1, at_once);
+  for (const auto& [from, to] : {std::pair(0.0, 0.2), {0.2, 0.21}, {0.21, 1.0}})
+    twist->carry(from, to, in_parts);
+  CHECK(largest_difference(at_once, in_parts) < 1e-13);
+  CHECK(largest_difference(at_once, mesh.coordinates) > 0.1);
+}
+
+TEST_CASE("Layers of a hundred-thousandth of a body turn with it at once") {
+  const Mesh mesh = make_mesh(o_grid(64, distances(50, 1e-5, 1.3, 46), Cut::none, 0.2));
+  const std::vector<MovingBody> bodies{body("wall", 170, {0.3, 0})};
+  const auto motion = make_motion(*mesh.topology, mesh.coordinates, std::span(bodies));
+  const Coordinates x = carried(mesh, *motion);
+  CHECK(check_validity(*mesh.topology, x).inverted == 0);
+  double worst = 0;
+  for (Index i = 0; i < 64; ++i) {
+    const auto height = [&](const Coordinates& y) { return (y.xy(i + 64) - y.xy(i)).norm(); };
+    worst = std::max(worst, std::abs(height(x) / height(mesh.coordinates) - 1));
+  }
+  CHECK(worst < 1e-3);
+}
+
+TEST_CASE("A motion of thin layers takes a few solves, and shows the meshes on its way") {
+  const MeshState state =
+      make_state(make_mesh(o_grid(64, distances(50, 1e-5, 1.3, 46), Cut::none, 0.2)));
+  MoveCommand command;
+  command.bodies = {body("wall", 120, {0.3, 0}, {0.2, 0})};
+  command.smooth.threads = 1;
+  const CommandResult moved = execute(command, state);
+  REQUIRE(moved.smooth.converged);
+  CHECK(moved.smooth.fraction_reached == 1);
+  CHECK(moved.smooth.linear_solves <= 15);
+  double last = 0;
+  for (const IterationRecord& record : moved.smooth.history) {
+    CHECK(record.inverted == 0);
+    CHECK(record.fraction - last < 0.26);
+    last = record.fraction;
+  }
+}
+
+TEST_CASE("Only rigid bodies carry a mesh along") {
+  const Mesh mesh = make_mesh(square_with_hole(10, Cells::triangles));
+  const auto turn =
+      make_motion(*mesh.topology, mesh.coordinates, {"hole"}, RigidMotion{.rotate = 9});
+  CHECK(Twist::find(classes_for(mesh, *turn), mesh.coordinates, *turn, 1));
+  const auto sine =
+      make_motion(*mesh.topology, mesh.coordinates, {"hole"}, SineDeformation{.amplitude = 0.01});
+  CHECK_FALSE(Twist::find(classes_for(mesh, *sine), mesh.coordinates, *sine, 1));
+}
