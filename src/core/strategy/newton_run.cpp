@@ -238,11 +238,11 @@ double NewtonRun::carry_along(const Motion& motion, const Path& path, Coordinate
   if (!on_path() || blocked_by_contact() || !may_carry_ || topology.cell_dimension() == 3) return 0;
   const auto twist = Twist::find(workspace_.classes(), x, motion, workspace_.options().threads);
   if (!twist) return 0;
-  constexpr double most_turn = 180, kept_sine = 0.4;
-  constexpr int limit = 10;  // corrections between two parts of the motion
+  constexpr double most_turn = 45, kept_sine = 0.3;
   const double least_sine = kept_sine * smallest_sine(x);
   const double whole = 1 / std::max(1.0, std::ceil(twist->largest_turn() / most_turn));
-  double reached = 0, shortest = whole / 2;
+  const double shortest = whole / 2;
+  double reached = 0;
   for (double share = whole; reached < 1 && share >= shortest && recorder_.remaining() > 0;) {
     const double to = std::min(1.0, reached + share);
     Coordinates there = carried(*twist, path, x, reached, to);
@@ -252,28 +252,11 @@ double NewtonRun::carry_along(const Motion& motion, const Path& path, Coordinate
       continue;
     }
     if (!correct(there)) return reached;
-    show_way(*twist, path, x, reached, to);
     x = std::move(there);
     reached = to;
-    shortest = whole / 8;
     recorder_.report(newton().start(x), x, Stage::path, reached, true);
-    if (reached < 1) recorder_.iterate(newton(), x, Stage::path, reached, limit, near_enough);
   }
   return reached;
-}
-
-/// Reports valid meshes on the way between two fractions of a motion, so that those who watch see
-/// which way it went.
-void NewtonRun::show_way(const Twist& twist, const Path& path, const Coordinates& x, double from,
-                         double to) {
-  constexpr double turn = 30;  // degrees from one to the next
-  const int parts = static_cast<int>(std::ceil((to - from) * twist.largest_turn() / turn));
-  for (int k = 1; k < parts; ++k) {
-    const double between = from + (to - from) * k / parts;
-    const Coordinates there = carried(twist, path, x, from, between);
-    if (workspace_.validity(there).inverted > 0) continue;
-    recorder_.report(newton().start(there), there, Stage::path, between, true);
-  }
 }
 
 /// reached: the fraction of the motion at x. least_sine: smallest normalized Jacobian at which a

@@ -92,7 +92,6 @@ class NewtonRun {
   Coordinates carried(const Twist& twist, const Path& path, const Coordinates& x, double from,
                       double to);
   bool correct(Coordinates& x);
-  void show_way(const Twist& twist, const Path& path, const Coordinates& x, double from, double to);
   double carry_along(const Motion& motion, const Path& path, Coordinates& x);
   void follow_path(const Path& path, double reached, double least_sine, Coordinates& x);
   static void go_back(const Path& path, PathMesh& earlier, double& reached, Coordinates& x);

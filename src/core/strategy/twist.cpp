@@ -54,6 +54,8 @@ class LaplaceMatrix {
       numbers_[at(node)] = static_cast<Index>(nodes_.size());
       nodes_.push_back(node);
     }
+    rows_.resize(nodes_.size());
+    for_each_row([&](std::size_t i) { make_row(nodes_[i], rows_[i]); });
   }
 
   /// The nodes with unknowns, in the order of the rows.
@@ -63,26 +65,21 @@ class LaplaceMatrix {
     SparseMatrix matrix;
     const auto count = static_cast<Index>(nodes_.size());
     matrix.pattern = build_pattern(count, parallel_block, threads_, [&] {
-      return [&, row = Row()](Index i, std::vector<Index>& columns) mutable {
-        row_of(nodes_[at(i)], row);
-        for (const auto& [node, value] : row)
+      return [&](Index i, std::vector<Index>& columns) {
+        for (const auto& [node, value] : rows_[at(i)])
           if (numbers_[at(node)] >= 0) columns.push_back(numbers_[at(node)]);
       };
     });
     matrix.symmetric = true;
     matrix.in_space = topology_.cell_dimension() == 3;
     matrix.values.resize(matrix.pattern->columns.size());
-    parallel_for(threads_, count, [&](Index begin, Index end) {
-      Row row;
-      for (Index i = begin; i < end; ++i) {
-        row_of(nodes_[at(i)], row);
-        std::size_t entry = at(matrix.pattern->offsets[at(i)]);
-        for (const auto& [node, value] : row)
-          if (numbers_[at(node)] >= 0) matrix.values[entry++] = value;
-        // Parts of a mesh without any known value get u = 0.
-        constexpr double shift = 1e-10;  // relative
-        matrix.values[at(matrix.pattern->diagonal[at(i)])] *= 1 + shift;
-      }
+    for_each_row([&](std::size_t i) {
+      std::size_t entry = at(matrix.pattern->offsets[i]);
+      for (const auto& [node, value] : rows_[i])
+        if (numbers_[at(node)] >= 0) matrix.values[entry++] = value;
+      // Parts of a mesh without any known value get u = 0.
+      constexpr double shift = 1e-10;  // relative
+      matrix.values[at(matrix.pattern->diagonal[i])] *= 1 + shift;
     });
     make_symmetric(matrix);
     return matrix;
@@ -91,18 +88,37 @@ class LaplaceMatrix {
   /// The right-hand side for known values (#nodes).
   std::vector<double> right_hand_side(std::span<const double> known) const {
     std::vector<double> out(nodes_.size());
-    parallel_for(threads_, static_cast<Index>(nodes_.size()), [&](Index begin, Index end) {
-      Row row;
-      for (Index i = begin; i < end; ++i) {
-        row_of(nodes_[at(i)], row);
-        for (const auto& [node, value] : row)
-          if (numbers_[at(node)] < 0) out[at(i)] -= value * known[at(node)];
-      }
+    for_each_row([&](std::size_t i) {
+      for (const auto& [node, value] : rows_[i])
+        if (numbers_[at(node)] < 0) out[i] -= value * known[at(node)];
     });
     return out;
   }
 
  private:
+  /// The entries of all nodes in a row, ascending, once each.
+  using Row = std::vector<std::pair<Index, double>>;
+
+  template <typename Work>
+  void for_each_row(const Work& work) const {
+    parallel_for(threads_, static_cast<Index>(nodes_.size()), [&](Index begin, Index end) {
+      for (Index i = begin; i < end; ++i) work(at(i));
+    });
+  }
+
+  void make_row(Index node, Row& row) const {
+    for (const Index e : topology_.star(node)) add_element(e, node, row);
+    std::ranges::sort(row, {}, [](const auto& entry) { return entry.first; });
+    std::size_t last = 0;
+    for (std::size_t k = 1; k < row.size(); ++k) {
+      if (row[k].first == row[last].first)
+        row[last].second += row[k].second;
+      else
+        row[++last] = row[k];
+    }
+    row.resize(last + 1);
+  }
+
   /// Volume (in the plane: area) that a corner stands for, over the determinant of its edges:
   /// quadrature at the corners.
   static double share_of_corner(ElementType type) {
@@ -119,22 +135,6 @@ class LaplaceMatrix {
         return 1.0 / 12;  // pyramid, prism
     }
   }
-  /// The entries of all nodes in a row, ascending, once each.
-  using Row = std::vector<std::pair<Index, double>>;
-  void row_of(Index node, Row& row) const {
-    row.clear();
-    for (const Index e : topology_.star(node)) add_element(e, node, row);
-    std::ranges::sort(row, {}, [](const auto& entry) { return entry.first; });
-    std::size_t last = 0;
-    for (std::size_t k = 1; k < row.size(); ++k) {
-      if (row[k].first == row[last].first)
-        row[last].second += row[k].second;
-      else
-        row[++last] = row[k];
-    }
-    if (!row.empty()) row.resize(last + 1);
-  }
-
   void add_element(Index e, Index node, Row& row) const {
     const auto element = topology_.element(e);
     const ElementType type = topology_.element_type(e);
@@ -184,6 +184,7 @@ class LaplaceMatrix {
   int threads_;
   std::vector<Index> numbers_;  // #nodes, of the unknowns; -1: none
   std::vector<Index> nodes_;    // that have unknowns
+  std::vector<Row> rows_;       // of nodes_
 };
 
 double smooth_step(double t) {

@@ -160,22 +160,29 @@ TEST_CASE("Layers of a hundred-thousandth of a body turn with it at once") {
   CHECK(worst < 1e-3);
 }
 
-TEST_CASE("A motion of thin layers takes a few solves, and shows the meshes on its way") {
+TEST_CASE("A motion goes by twists of at most 45 degrees, to the mesh that a longer way reaches") {
   const MeshState state =
       make_state(make_mesh(o_grid(64, distances(50, 1e-5, 1.3, 46), Cut::none, 0.2)));
-  MoveCommand command;
-  command.bodies = {body("wall", 120, {0.3, 0}, {0.2, 0})};
-  command.smooth.threads = 1;
-  const CommandResult moved = execute(command, state);
+  const auto turned = [](double degrees) {
+    MoveCommand command;
+    command.bodies = {body("wall", degrees, {0.3, 0}, {0.2 * degrees / 80, 0})};
+    command.smooth.threads = 1;
+    return command;
+  };
+  const CommandResult moved = execute(turned(80), state);
   REQUIRE(moved.smooth.converged);
   CHECK(moved.smooth.fraction_reached == 1);
-  CHECK(moved.smooth.linear_solves <= 15);
-  double last = 0;
+  std::vector<double> fractions;
   for (const IterationRecord& record : moved.smooth.history) {
     CHECK(record.inverted == 0);
-    CHECK(record.fraction - last < 0.26);
-    last = record.fraction;
+    if (record.stage == Stage::path) fractions.push_back(record.fraction);
   }
+  REQUIRE(fractions.size() == 2);
+  for (std::size_t k = 0; k < 2; ++k)
+    CHECK(fractions[k] == doctest::Approx(static_cast<double>(k + 1) / 2));
+  MeshState stage = state;
+  for (const double degrees : {50.0, -20.0, 50.0}) stage = execute(turned(degrees), stage).state;
+  CHECK(largest_difference(stage.mesh.coordinates, moved.state.mesh.coordinates) < 1e-8);
 }
 
 TEST_CASE("Only rigid bodies carry a mesh along") {
