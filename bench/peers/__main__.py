@@ -1,6 +1,7 @@
 """Measures winslow beside its peers: python3 bench/peers [OPTIONS]; README.md beside this file says how."""
 import argparse
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -44,10 +45,12 @@ def positive(kind):
 def parse(arguments):
     parser = argparse.ArgumentParser(
         prog="peers", description="Measures programs of winslow, and linear elasticity, Gmsh and OpenFOAM beside them: "
-        "CPU, memory and quality. Fetches nothing.", epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter)
+        "CPU, memory and quality. Fetches nothing.", epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
-    add("--program", action="append", default=[], metavar="[LABEL=]PATH", help="a program winslow; several, say an old "
-        "one and a new one, run by turns. Default: that of build/release, else that of PATH")
+    add("--program", action="append", default=[], metavar="'[LABEL=]PATH [OPTIONS]'", help="a program winslow, "
+        "and options that it gets in every row; several, say an old one and a new one, run by turns. Default: that of "
+        "build/release, else that of PATH")
     add("--rows", type=names, default=[], metavar="NAME,...", help="only these rows; --list shows them")
     add("--list", action="store_true", help="list the rows and end")
     add("--quick", action="store_true", help="only rows of small bundled meshes, a few seconds in all")
@@ -55,14 +58,15 @@ def parse(arguments):
         "runs beside winslow; default: all that are installed")
     add("--increments", type=lambda text: tuple(map(positive(int), names(text))), default=(), metavar="N,...",
         help="of elasticity; default: 1, 5, 10 and 50, of the largest meshes 1 and 5")
-    add("--repeat", type=positive(int), default=1, metavar="N", help="runs of each program of winslow, by turns; the one "
-        "with the least CPU counts [1]")
+    add("--repeat", type=positive(int), default=1, metavar="N", help="runs of each program of winslow, by turns; the "
+        "one with the least CPU counts [1]")
     add("--timeout", type=positive(float), default=600, metavar="S", help="seconds for one run, by the clock [600]")
     add("--allow-loss", type=float, metavar="PERCENT", help="exit status 1 if any quality of a later program is worse "
         "than that of the first by more")
     add("--elasticity", type=Path, metavar="PATH", help="the program elastic_move; default: that of the same build as "
         "the first program")
-    add("--cache", type=Path, default=default_cache(), metavar="DIR", help="where meshes made by Gmsh are kept [%(default)s]")
+    add("--cache", type=Path, default=default_cache(), metavar="DIR", help="where meshes made by Gmsh are kept "
+        "[%(default)s]")
     add("--csv", type=Path, metavar="FILE", help="write a line for every contender of every row")
     add("--markdown", type=Path, metavar="FILE", help="write a table for a page of documentation")
     return parser.parse_args(arguments)
@@ -104,14 +108,24 @@ def executable(path):
 
 
 def chosen_programs(wanted):
-    given = wanted.program or [str(default_program())]
-    labelled = [text.partition("=") if "=" in text else ("", "", text) for text in given]
-    single = len(given) == 1
-    programs = [Winslow(label or ("winslow" if single else path), executable(path)) for label, _, path in labelled]
+    given = wanted.program or [shlex.quote(str(default_program()))]
+    programs = [program_of(text, "winslow" if len(given) == 1 else text) for text in given]
     labels = [program.name for program in programs]
     if len(set(labels)) < len(labels):
         raise UsageError("two programs have the same name; give each its own: --program old=PATH --program new=PATH")
     return programs
+
+
+def program_of(text, name):
+    """[LABEL=]PATH [OPTIONS], as a shell reads it; name: without a label."""
+    try:
+        word, *options = shlex.split(text) or [""]
+    except ValueError as error:
+        raise UsageError(f"--program {text}: {error}") from error
+    label, separator, path = word.partition("=")
+    if not separator or "/" in label:  # a folder may have a = in its name
+        label, path = name, word
+    return Winslow(label, executable(path), tuple(options))
 
 
 def default_program():
@@ -160,7 +174,8 @@ def measure(wanted, chosen, programs, peers):
     """All rows: (results, whether all meshes were there, whether it was interrupted)."""
     results, meshes, interrupted = [], True, False
     with tempfile.TemporaryDirectory(prefix="winslow-peers-") as folder:
-        store = MeshStore(wanted.cache, Path(folder), scrambler(programs[0].program), lambda line: print(line, flush=True))
+        store = MeshStore(wanted.cache, Path(folder), scrambler(programs[0].program),
+                          lambda line: print(line, file=sys.stderr, flush=True))
         bench = Bench(programs[0].program, store, Path(folder), wanted.timeout, wanted.increments)
         for row in chosen:
             try:
@@ -194,8 +209,12 @@ def run(wanted):
     if not chosen:
         raise UsageError("no row is left: --quick leaves only rows of bundled meshes")
     peers = chosen_peers(wanted, programs)
+    for path in filter(None, (wanted.csv, wanted.markdown)):
+        path.touch()  # said now rather than after an hour
     labels = [program.name for program in programs]
-    print(f"{report.machine()}\n" + "\n".join(f"{program.name}: {program.program}" for program in programs))
+    print(report.machine())
+    for program in programs:
+        print(f"{program.name}: {' '.join([str(program.program), *program.options])}")
     report.print_heads()
     results, meshes, interrupted = measure(wanted, chosen, programs, peers)
     lost = conclude(wanted, results, labels)

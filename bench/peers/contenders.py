@@ -71,14 +71,14 @@ class Bench:
 
 
 class Winslow:
-    """A program of winslow, the new one or an old one."""
+    """A program of winslow, the new one or an old one. options: in every row, besides those of the row."""
 
-    def __init__(self, label, program):
-        self.name, self.program = label, program
+    def __init__(self, label, program, options=()):
+        self.name, self.program, self.options = label, program, options
 
     def command(self, row, mesh, out, report):
         words = [self.program, "move" if row.motion else "smooth", mesh, "-o", out, "--report", report]
-        return [*words, *(row.motion.flags() if row.motion else ()), *row.options]
+        return [*words, *(row.motion.flags() if row.motion else ()), *row.options, *self.options]
 
     def run_once(self, row, bench):
         """One run, as an outcome whose mesh is not yet measured, and the file of that."""
@@ -163,8 +163,8 @@ class Elasticity(Peer):
         for count in counts:
             out = bench.folder / "elasticity.su2"
             out.unlink(missing_ok=True)
-            done = run([self.program, bench.store.path(row.mesh), *row.motion.flags(), "--increments", count, "-o", out],
-                       bench.timeout)
+            command = [self.program, bench.store.path(row.mesh), *row.motion.flags(), "--increments", count, "-o", out]
+            done = run(command, bench.timeout)
             name = f"elasticity, {count} increment{'s' if count > 1 else ''}"
             yield self.finish(name, done, row, bench, lambda: out)
 
@@ -256,8 +256,8 @@ def write_case(case, motion):
                      "ddtSchemes { default Euler; } gradSchemes { default Gauss linear; } divSchemes { default none; } "
                      "laplacianSchemes { default Gauss linear corrected; } interpolationSchemes { default linear; } "
                      "snGradSchemes { default corrected; }")
-    write_dictionary(case / "system/fvSolution", "dictionary",
-                     'solvers { "cellDisplacement.*" { solver GAMG; smoother GaussSeidel; tolerance 1e-8; relTol 0; } }')
+    write_dictionary(case / "system/fvSolution", "dictionary", 'solvers { "cellDisplacement.*" { solver GAMG; '
+                     "smoother GaussSeidel; tolerance 1e-8; relTol 0; } }")
     write_dictionary(case / "constant/dynamicMeshDict", "dictionary",
                      "dynamicFvMesh dynamicMotionSolverFvMesh; motionSolverLibs (fvMotionSolvers); motionSolver "
                      "displacementLaplacian; displacementLaplacianCoeffs { diffusivity quadratic inversePointDistance "
@@ -277,8 +277,8 @@ def moving_patch(motion):
     return ("{ type solidBodyMotionDisplacement; value uniform (0 0 0); solidBodyMotionFunction multiMotion; "
             "multiMotionCoeffs { shift { solidBodyMotionFunction linearMotion; linearMotionCoeffs { velocity "
             f"{vector(motion.translate)}; }} }} turn {{ solidBodyMotionFunction rotatingMotion; rotatingMotionCoeffs "
-            f"{{ origin {vector(motion.pivot)}; axis {vector(motion.axis)}; omega {math.radians(motion.rotate)!r}; }} }} "
-            "} }")
+            f"{{ origin {vector(motion.pivot)}; axis {vector(motion.axis)}; "
+            f"omega {math.radians(motion.rotate)!r}; }} }} }} }}")
 
 
 def patch_names(boundary):

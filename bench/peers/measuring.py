@@ -30,12 +30,12 @@ class Run:
         return lines[-1][:200] if lines else "it said nothing"
 
 
-def run(command, timeout, folder=None, environment=None):
+def run(command, timeout, environment=None):
     """Runs a command and measures it and all that it started. Throws OSError where it cannot be started."""
     with tempfile.TemporaryFile() as said:
         begin = time.monotonic()
         # A session of its own, so that all of it can be ended.
-        process = subprocess.Popen([str(word) for word in command], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+        process = subprocess.Popen([str(word) for word in command], env=environment, stdin=subprocess.DEVNULL,
                                    stdout=said, stderr=subprocess.STDOUT, start_new_session=True)
         expired = threading.Event()
 
@@ -126,8 +126,8 @@ class Su2File:
             if key == "NELEM":
                 skip(lines, int(value.split()[0]))
             elif key == "NPOIN":
-                chosen = ((k, line) for k, line in enumerate(itertools.islice(lines, int(value.split()[0]))) if k in nodes)
-                return {k: tuple(map(float, line.split()[:3])) for k, line in chosen}
+                listed = enumerate(itertools.islice(lines, int(value.split()[0])))
+                return {k: tuple(map(float, line.split()[:3])) for k, line in listed if k in nodes}
         raise MeasuringError(f"{self.path}: no NPOIN=")
 
     def prisms(self):

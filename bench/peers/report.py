@@ -73,9 +73,9 @@ def remarks(outcome):
 HEADS = ["CPU s", "ratio", "wall s", "MB", "sJ min", "sJ mean", "R/3r max", "inverted", "heights %"]
 WIDTHS = [8, 6, 8, 7, 8, 8, 10, 9, 16]
 LEGEND = """\
-CPU: user seconds of all threads, from file to file. ratio: CPU over that of the first program. MB: most resident memory.
-sJ: scaled Jacobian, smallest and mean. R/3r: largest (plane: R/2r). heights: change of the first layer's, per cent,
-95th percentile / worst."""
+CPU: user seconds of all threads, from file to file. ratio: CPU over that of the first program. MB: most resident
+memory. sJ: scaled Jacobian, smallest and mean. R/3r: largest (plane: R/2r). heights: change of the first layer's, per
+cent, 95th percentile / worst."""
 
 
 def print_heads():
@@ -112,11 +112,17 @@ def csv_line(result, outcome):
     run = outcome.run
     times = [run.user, run.system, run.wall, run.memory / 1e6] if run else [""] * 4
     heights = outcome.heights or ("", "")
-    state = "skipped" if outcome.skipped else "failed" if outcome.failure else "measured" if outcome.quality else "ended"
     ratio = result.ratio(outcome)
     return [result.row.name, result.row.what, result.given.nodes, result.given.elements, outcome.contender,
-            outcome.runs, *times, "" if ratio is None else ratio, *quality_numbers(outcome.quality), *heights, state,
+            outcome.runs, *times, "" if ratio is None else ratio, *quality_numbers(outcome.quality), *heights,
+            state(outcome),
             "; ".join(filter(None, [outcome.failure, *outcome.notes]))]
+
+
+def state(outcome):
+    if outcome.skipped or outcome.failure:
+        return "skipped" if outcome.skipped else "failed"
+    return "measured" if outcome.quality else "ended"
 
 
 def quality_numbers(quality):

@@ -79,7 +79,7 @@ ROWS = [
     Row("coarse-scrambled", "coarse sphere, scrambled, smoothed", COARSE_SCRAMBLED, quick=True, peers=()),
     Row("coarse-plane-90", "coarse NACA 0012, 90 degrees and moved", COARSE_NACA,
         Motion(("airfoil",), 90, (0.5, 0), (0.5, 0.3)), increments=(1, 5), quick=True),
-    Row("sphere-element", "sphere, smoothed, --targets element", SPHERE_60K, options=("--targets", "element")),
+    Row("sphere-element", "sphere, smoothed, --targets element", SPHERE_60K, options=("--targets", "element"), peers=()),
     Row("sphere-auto", "sphere, smoothed", SPHERE_60K, options=("--targets", "auto")),
     Row("sphere-90", "sphere, 90 degrees and its radius", SPHERE_60K, about_z("sphere", 90, (1, 0, 0))),
     Row("sphere-180", "sphere, 180 degrees", SPHERE_60K, about_z("sphere", 180)),
