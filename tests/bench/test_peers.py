@@ -4,6 +4,7 @@ import csv
 import os
 import pathlib
 import shutil
+import signal
 import stat
 import subprocess
 import sys
@@ -20,7 +21,7 @@ import rows  # noqa: E402
 
 WINSLOW = os.environ["WINSLOW"]
 ELASTIC_MOVE = os.environ.get("ELASTIC_MOVE")
-DONE, FAILED, USAGE, NO_MESH = 0, 1, 2, 3
+DONE, FAILED, USAGE, NO_MESH, INTERRUPTED = 0, 1, 2, 3, 130
 
 
 class Folder(unittest.TestCase):
@@ -88,6 +89,32 @@ class Command(Folder):
         self.assertIn("gmsh is not installed", done.stdout)
         self.assertIn("moveDynamicMesh is not installed", done.stdout)
 
+    def test_a_peer_that_fails_is_a_result(self):
+        for body, words in (("echo no memory; exit 1", "no memory"), ("exit 0", "the body is not where"),
+                            ('grep -q "^sphere { type solidBody" "$3/0/pointDisplacement" && '
+                             'grep -q "^farfield { type fixedValue" "$3/0/pointDisplacement" || echo wrong; exit 1',
+                             "it said nothing")):
+            with self.subTest(body=body):
+                self.script("moveDynamicMesh", body)
+                self.peers("--program", WINSLOW, "--rows", "coarse-90", "--peers", "openfoam", "--csv", "out.csv",
+                           env={"PATH": f"{self.folder}:{os.environ['PATH']}"})
+                line = self.lines()[-1]
+                self.assertEqual(line["contender"], "OpenFOAM displacementLaplacian")
+                self.assertIn(words, line["notes"])
+
+    def test_an_interrupted_run_leaves_its_tables_and_no_program(self):
+        program = self.script("program", '[ "$1" != smooth ] && exec "$winslow" "$@"\n'
+                              "echo $$ > pid.new; mv pid.new pid; exec sleep 100")
+        words = [sys.executable, "-B", str(PEERS), "--program", str(program), "--rows", "coarse-plane-90,coarse-smooth",
+                 "--peers", "none", "--csv", "out.csv"]
+        with subprocess.Popen(words, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            pid = self.folder / "pid"
+            wait_until(pid.exists)
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(60), INTERRUPTED)
+        wait_until(lambda: not alive(int(pid.read_text())))
+        self.assertEqual([line["contender"] for line in self.lines()], ["as given", "winslow"])
+
     def test_two_programs_run_by_turns(self):
         logged = self.folder / "order"
         both = [self.script(name, f'[ "$1" = move ] && echo {name} >> "{logged}"\nexec "$winslow" "$@"')
@@ -127,11 +154,7 @@ class Command(Folder):
         self.fails("sleep 100 & echo $! > pid; wait", "not done within 2 s", "--timeout", 2)
         self.assertLess(time.monotonic() - begin, 60)
         pid = int((self.folder / "pid").read_text())
-        for _ in range(100):
-            if not alive(pid):
-                return
-            time.sleep(0.05)
-        self.fail("what it started is still running")
+        wait_until(lambda: not alive(pid))
 
     def test_lost_quality_fails_where_it_is_asked_for(self):
         programs = ["--program", f"old={WINSLOW}", "--program", f"new={WINSLOW} --targets rest", "--rows", "coarse-90",
@@ -165,6 +188,14 @@ class Command(Folder):
     def test_all_rows_are_listed(self):
         listed = self.peers("--list").stdout.splitlines()
         self.assertEqual([line.split()[0] for line in listed], [row.name for row in rows.ROWS])
+
+
+def wait_until(holds):
+    for _ in range(1200):
+        if holds():
+            return
+        time.sleep(0.05)
+    raise AssertionError("nothing happened within a minute")
 
 
 def alive(pid):
