@@ -53,7 +53,7 @@ def seconds(value):
 def cells(result, outcome):
     """The columns of an outcome that all tables have, as words."""
     run, quality = outcome.run, outcome.quality
-    heights = " / ".join(number(h, 3) for h in outcome.heights)
+    heights = " / ".join(number(h, 3) if h < 10 else f"{h:.3g}" for h in outcome.heights)
     return [seconds(run and run.user), number(result.ratio(outcome), 2), seconds(run and run.wall),
             number(run and run.memory / 1e6, 0), *quality_cells(quality), heights]
 
@@ -71,7 +71,7 @@ def remarks(outcome):
 
 
 HEADS = ["CPU s", "ratio", "wall s", "MB", "sJ min", "sJ mean", "R/3r max", "inverted", "heights %"]
-WIDTHS = [8, 6, 8, 7, 8, 8, 10, 9, 16]
+WIDTHS = [6, 6, 6, 6, 7, 7, 8, 8, 15]
 LEGEND = """\
 CPU: user seconds of all threads, from file to file. ratio: CPU over that of the first program. MB: most resident
 memory. sJ: scaled Jacobian, smallest and mean. R/3r: largest (plane: R/2r). heights: change of the first layer's, per
@@ -85,7 +85,7 @@ def print_heads():
 def print_row(result):
     """Title, heads and the mesh as given."""
     print(f"\n{result.row.name}: {result.row.what}, {result.given.nodes:,} nodes, {result.given.elements:,} elements")
-    print(f"  {'':32}" + "".join(f"{head:>{width}}" for head, width in zip(HEADS, WIDTHS)))
+    print(f"  {'':32}" + "".join(f" {head:>{width}}" for head, width in zip(HEADS, WIDTHS)))
     print_line("as given", ["", "", "", "", *quality_cells(result.given), ""], "")
 
 
@@ -94,7 +94,7 @@ def print_outcome(result, outcome):
 
 
 def print_line(name, columns, remark):
-    line = f"  {name:32}" + "".join(f"{cell:>{width}}" for cell, width in zip(columns, WIDTHS)) + f"  {remark}"
+    line = f"  {name:32}" + "".join(f" {cell:>{width}}" for cell, width in zip(columns, WIDTHS)) + f"  {remark}"
     print(line.rstrip(), flush=True)
 
 
