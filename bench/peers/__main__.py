@@ -17,8 +17,8 @@ from rows import ROWS
 DONE, FAILED, USAGE, NO_MESH, INTERRUPTED = 0, 1, 2, 3, 130
 EPILOG = """\
 exit status: 0 all rows were run; 1 a program of winslow failed in a row (it ended with an error, took too long, wrote
-inverted elements or did not move the body where it should), or lost more quality than --allow-loss; 2 wrong usage;
-3 a mesh could not be made; 130 interrupted. Peers that fail are results."""
+inverted elements, wrote other bytes when run again, or did not move the body where it should), or lost more quality
+than --allow-loss; 2 wrong usage; 3 a mesh could not be made; 130 interrupted. Peers that fail are results."""
 CHECKOUT = Path(__file__).resolve().parents[2]
 FAMILIES = [family.family for family in (Elasticity, Gmsh, OpenFoam)]
 

@@ -1,4 +1,5 @@
 """Who runs a row: winslow, and the peers that it is measured beside."""
+import hashlib
 import json
 import math
 import os
@@ -58,16 +59,15 @@ class Bench:
     def measured(self, outcome, row, written):
         """The outcome with all that is measured of the SU2 file that it wrote."""
         given = self.store.path(row.mesh)
-        notes, failure = outcome.notes, outcome.failure
-        now = quality(self.judge, written)
-        heights = ()
-        if row.motion:
-            error = motion_error(row.motion, given, written)
-            if error > PLACE_TOLERANCE:
-                failure = f"the body is not where the motion takes it, by {error:.2g} of its size"
+        outcome = replace(outcome, quality=quality(self.judge, written))
+        error = motion_error(row.motion, given, written) if row.motion else 0
+        if error > PLACE_TOLERANCE and not outcome.failure:
+            reason = f"the body is not where the motion takes it, by {error:.2g} of its size"
+            outcome = replace(outcome, failure=reason)
         if row.wall:
             heights = height_changes(self.heights_of(given, row.wall), first_heights(written, row.wall))
-        return replace(outcome, quality=now, heights=heights, notes=notes, failure=failure)
+            outcome = replace(outcome, heights=heights)
+        return outcome
 
 
 class Winslow:
@@ -104,18 +104,32 @@ def solves(report):
 
 def outcomes(programs, row, bench, repeat):
     """Runs programs of winslow by turns, each `repeat` times; of each the run with the least CPU."""
-    best = {}
+    best, bytes_of = {}, {}
     for _ in range(repeat):
         for program in programs:
             outcome, out = program.run_once(row, bench)
-            before = best.get(program.name)
-            if before is None:
-                best[program.name] = judged(outcome, row, bench, out)
-            elif outcome.failure and not before.failure:
-                best[program.name] = replace(before, failure=outcome.failure)
-            elif outcome.run.user < before.run.user:
-                best[program.name] = replace(before, run=outcome.run)
+            written = digest(out) if out.exists() else b""
+            if program.name in best:
+                same = written == bytes_of[program.name]
+                best[program.name] = better(best[program.name], outcome, same)
+            else:
+                best[program.name], bytes_of[program.name] = judged(outcome, row, bench, out), written
     return [replace(best[program.name], runs=repeat) for program in programs]
+
+
+def digest(path):
+    """Of a file, read in pieces: what is resident here counts as the memory of programs that are started."""
+    out = hashlib.sha256()
+    with open(path, "rb") as file:
+        while piece := file.read(1 << 20):
+            out.update(piece)
+    return out.digest()
+
+
+def better(before, again, same):
+    """What to keep of an outcome and of another run of the same. same: whether it wrote the same bytes."""
+    failure = before.failure or again.failure or ("" if same else "it wrote another mesh when it was run again")
+    return replace(before, run=min(before.run, again.run, key=lambda run: run.user), failure=failure)
 
 
 def judged(outcome, row, bench, out):

@@ -149,6 +149,10 @@ class Command(Folder):
                    "exit status 4")
         self.fails('shift; "$winslow" move "$@" --no-smooth --allow-inverted --quiet; exit 0', "elements are inverted")
 
+    def test_a_program_that_writes_another_mesh_when_it_is_run_again_fails(self):
+        self.fails('[ -e once ] && set -- "$@" --targets rest\ntouch once\nexec "$winslow" "$@"',
+                   "it wrote another mesh when it was run again", "--repeat", 2)
+
     def test_a_program_that_takes_too_long_is_ended_with_all_that_it_started(self):
         begin = time.monotonic()
         self.fails("sleep 100 & echo $! > pid; wait", "not done within 2 s", "--timeout", 2)
