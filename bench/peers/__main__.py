@@ -3,6 +3,7 @@ import argparse
 import os
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -230,6 +231,9 @@ def main(arguments):
     if wanted.list:
         list_rows()
         return DONE
+    # A run that is ended leaves its tables, and no program behind: also where an interrupt would be ignored.
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.default_int_handler)
     try:
         return run(wanted)
     except (UsageError, OSError) as error:

@@ -107,13 +107,15 @@ class Command(Folder):
                               "echo $$ > pid.new; mv pid.new pid; exec sleep 100")
         words = [sys.executable, "-B", str(PEERS), "--program", str(program), "--rows", "coarse-plane-90,coarse-smooth",
                  "--peers", "none", "--csv", "out.csv"]
-        with subprocess.Popen(words, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+        for number in (signal.SIGINT, signal.SIGTERM):
             pid = self.folder / "pid"
-            wait_until(pid.exists)
-            process.send_signal(signal.SIGINT)
-            self.assertEqual(process.wait(60), INTERRUPTED)
-        wait_until(lambda: not alive(int(pid.read_text())))
-        self.assertEqual([line["contender"] for line in self.lines()], ["as given", "winslow"])
+            pid.unlink(missing_ok=True)
+            with subprocess.Popen(words, cwd=self.folder, stdout=subprocess.DEVNULL) as process:
+                wait_until(pid.exists)
+                process.send_signal(number)
+                self.assertEqual(process.wait(60), INTERRUPTED)
+            wait_until(lambda: not alive(int(pid.read_text())))
+            self.assertEqual([line["contender"] for line in self.lines()], ["as given", "winslow"])
 
     def test_two_programs_run_by_turns(self):
         logged = self.folder / "order"
