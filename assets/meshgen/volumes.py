@@ -74,22 +74,38 @@ def one_field(formula):
     return ["Field[1] = MathEval;", f'Field[1].F = "{formula}";', "Background Field = 1;"]
 
 
+def add_octants(g, tips, add_arc):
+    """The eight surfaces between six points, opposite ones beside each other; add_arc(a, b): of two tips."""
+    arcs = {}
+    for a in range(6):
+        for b in range(a + 1, 6):
+            if a // 2 != b // 2:
+                arcs[a, b] = add_arc(tips[a], tips[b])
+                arcs[b, a] = -arcs[a, b]
+    return [g.add_surface("Surface", [[arcs[x, y], arcs[y, z], arcs[z, x]]])
+            for x in (0, 1) for y in (2, 3) for z in (4, 5)]
+
+
 def sphere_in_box(header, radius, half, wall, growth):
     """Size: wall + growth * distance from the sphere."""
     g = Geometry(header)
     centre = g.add_point((0, 0, 0))
     tips = [g.add_point(radius * sign * np.eye(3)[axis]) for axis in range(3) for sign in (1, -1)]
-    arcs = {}
-    for a in range(6):
-        for b in range(a + 1, 6):
-            if a // 2 != b // 2:
-                arcs[a, b] = g.add_curve("Circle", (tips[a], centre, tips[b]))
-                arcs[b, a] = -arcs[a, b]
-    octants = [g.add_surface("Surface", [[arcs[x, y], arcs[y, z], arcs[z, x]]])
-               for x in (0, 1) for y in (2, 3) for z in (4, 5)]
+    octants = add_octants(g, tips, lambda a, b: g.add_curve("Circle", (a, centre, b)))
     box = list(g.add_box((-half,) * 3, (half,) * 3).values())
     formula = f"{wall!r} + {growth!r} * (Sqrt(x^2 + y^2 + z^2) - {radius!r})"
     return g.text([box, octants], {"farfield": box, "sphere": octants}, one_field(formula))
+
+
+def ellipsoid_in_box(header, semi_axes, half, size):
+    """semi_axes: along x, y, z, the first the longest. half: edges of the box, halved. size: everywhere."""
+    g = Geometry(header)
+    centre = g.add_point((0, 0, 0))
+    tips = [g.add_point(semi_axes[axis] * sign * np.eye(3)[axis]) for axis in range(3) for sign in (1, -1)]
+    # An arc between y and z is longest along y.
+    octants = add_octants(g, tips, lambda a, b: g.add_curve("Ellipse", (a, centre, a, b)))
+    box = list(g.add_box([-h for h in half], half).values())
+    return g.text([box, octants], {"farfield": box, "body": octants}, one_field(repr(size)))
 
 
 def cube_in_box(header, edge, half, wall, growth):
