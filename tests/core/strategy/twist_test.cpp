@@ -165,7 +165,7 @@ TEST_CASE("A motion goes by twists of at most 45 degrees, to the mesh that a lon
       make_state(make_mesh(o_grid(64, distances(50, 1e-5, 1.3, 46), Cut::none, 0.2)));
   const auto turned = [](double degrees) {
     MoveCommand command;
-    command.bodies = {body("wall", degrees, {0.3, 0}, {0.2 * degrees / 80, 0})};
+    command.bodies = {body("wall", degrees, {0.3, 0})};
     command.smooth.threads = 1;
     return command;
   };
