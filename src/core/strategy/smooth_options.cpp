@@ -140,9 +140,14 @@ OptionTable equations(SmoothOptions& o) {
       {.key = "outer",
        .value = ChoiceOption(
            o.outer,
-           {{"auto", "Automatic", "newton; pointwise: picard where that does not end converged"},
+           {{"auto", "Automatic",
+             "newton, on large isotropic volume meshes after descent; pointwise: picard where that "
+             "does not end converged"},
             {"newton", "Newton",
              "Newton's method; boundary motions along the path of valid meshes"},
+            {"descent", "First-order",
+             "first-order steps (L-BFGS) to the solution, or near it: newton goes on where these "
+             "are slow; variational, volume meshes only"},
             {"picard", "Fixed point",
              "the paper's damped iteration, coefficients frozen (pointwise only)", !variational}}),
        .label = "Iteration",
@@ -272,6 +277,9 @@ void validate(const SmoothOptions& options) {
   require(!(is_variational(options) && options.outer == OuterMethod::picard),
           "the variational form has no fixed-point iteration: choose the outer method newton, or "
           "the formulation pointwise");
+  require(is_variational(options) || options.outer != OuterMethod::descent,
+          "the pointwise form has no energy for first-order steps to lower: choose another outer "
+          "method than descent, or the formulation variational");
   require(
       is_variational(options) || !linear_solver_needs_symmetry(options.linear.solver),
       "the linear solver " + options.linear.solver +
