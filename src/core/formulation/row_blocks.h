@@ -1,6 +1,5 @@
 #pragma once
 
-#include <mutex>
 #include <tuple>
 
 #include "core/formulation/cell_targets.h"

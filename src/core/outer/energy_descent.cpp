@@ -270,7 +270,7 @@ void EnergyDescent::take_up(Coordinates& x) {
 /// Whether Newton's method is faster from here. Its steps cost as much as thirty of these, and near
 /// a solution each doubles the number of digits.
 bool EnergyDescent::is_slow() const {
-  constexpr std::ptrdiff_t window = 20;
+  constexpr std::ptrdiff_t window = 30;
   constexpr double newton_step = 30, near = 0.05, steps_from_afar = 8;
   if (std::ssize(residuals_) < 2 * window) return false;
   const auto recent = residuals_.end() - window;
