@@ -267,8 +267,8 @@ void EnergyDescent::take_up(Coordinates& x) {
   record_.residual = scaled_residual();
 }
 
-/// Whether Newton's method is faster from here. Its steps cost as much as thirty of these, and near
-/// a solution each doubles the number of digits.
+/// Whether Newton's method is faster from here. Its steps cost as much as twenty to thirty of
+/// these, and near a solution each doubles the number of digits.
 bool EnergyDescent::is_slow() const {
   constexpr std::ptrdiff_t window = 30;
   constexpr double newton_step = 30, near = 0.05, steps_from_afar = 8;
