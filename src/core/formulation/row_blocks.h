@@ -106,6 +106,8 @@ class RowBlocks {
   std::vector<Index> first_new_;
 };
 
+class GradientParts;
+
 /// Rows of the nodes with unknowns, then those of images, then those of nodes that follow; -1 for
 /// all others.
 inline std::vector<Index> make_row_of_node(const NodeUnknowns& nodes) {
@@ -154,6 +156,12 @@ struct SimplexStructure {
   FollowerRows<D> followers;
   PeriodicRows<D> periodic;
   SlidingRows<D> sliding;
+  /// Made when a first-order method first needs them; in the plane there are none.
+  struct Parts {
+    std::once_flag once;
+    std::shared_ptr<const GradientParts> made;
+  };
+  mutable Parts parts;
 
   /// Whether some rows belong to nodes without their own unknowns.
   bool joins() const { return !followers.empty() || !periodic.empty(); }

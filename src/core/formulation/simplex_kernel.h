@@ -62,6 +62,7 @@ struct SimplexLayout<3> {
   static constexpr std::ptrdiff_t term = 8;  ///< metric 11, 12, 13, 22, 23, 33, weight, unused
   static constexpr std::ptrdiff_t corners = 54, corner = 4, sum = 72;
   static constexpr std::ptrdiff_t slim_corner = 5, slim_sum = 20;
+  static constexpr std::ptrdiff_t scalar_sum = 6;
   static constexpr std::ptrdiff_t gradient = 12, row = 16;
 };
 
@@ -93,6 +94,21 @@ struct SimplexKernel {
                   double* blocks);
   /// Adds sums without a Hessian to row sums, the trace to the first number. Null in the plane.
   void (*scatter_gradients)(const double* sums, const SimplexPlaces<D>*, Index count, double* rows);
+  /// For first-order methods, of the cells [begin, end): returns their energy, infinite if a
+  /// determinant is not positive, and adds the gradients to `sums`, unless it is infinite. x, sums:
+  /// four numbers a point, of which three are used. corners: of the cells from `begin` on, four
+  /// points each. Without a regularisation. Null in the plane.
+  double (*add_gradients)(const SimplexData&, const double* x, const Index* corners, Index begin,
+                          Index end, double* sums);
+  /// A scalar that resembles the Hessian in each component, positive semidefinite: over the edges k
+  /// and l of a cell, summed over its terms,
+  ///
+  ///   psi' f (2 / s) A_kl + (1/3) (psi'' f^2 / 2 + psi' f) v_k . v_l + (2/27) psi' f w_k . w_l.
+  ///
+  /// The part of the Hessian that is the same for all components, and of others a third of the
+  /// trace, without those that can be negative. sums: 11, 12, 13, 22, 23, 33 of each cell of the
+  /// list (`scalar_sum` numbers), with room for a multiple of 4 cells. Null in the plane.
+  void (*sum_scalars)(const SimplexData&, const Index* list, Index count, double* sums);
   /// Copies contiguous rows of blocks to their places in a matrix. offsets: of the matrix rows, in
   /// blocks.
   void (*write_rows)(const double* entries, const Index* rows, const Index* offsets, Index count,

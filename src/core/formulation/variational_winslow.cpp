@@ -1,6 +1,7 @@
 #include "core/formulation/variational_winslow.h"
 
 #include "core/formulation/distortion.h"
+#include "core/formulation/gradient_parts.h"
 #include "core/formulation/row_blocks.h"
 #include "core/formulation/row_elimination.h"
 #include "core/formulation/target_metric.h"
@@ -296,6 +297,102 @@ void SimplexWinslow<D>::boundary_response(const Coordinates& x, const Coordinate
     }
   }
   reduction.reduce(full, out, nullptr);
+}
+
+/// The scale of the gradient of each row (RowSum::scale_of()), in the order of the blocks.
+template <int D>
+void SimplexWinslow<D>::scales(const Coordinates& x, std::span<double> out) const {
+  const SimplexData cells = data(x, nullptr);
+  for_each_block([&](std::size_t, Index block, Index first, Index last, BlockMemory& memory) {
+    sum_block(cells, false, false, block, memory);
+    for (Index p = first; p < last; ++p) {
+      const Index count = structure_->cells_at_row[at(structure_->rows.row(p))];
+      out[at(p)] = 1 / memory.row(p - first).scale_of(count).scaled(1);
+    }
+  });
+}
+
+/// The form of a volume mesh. Its rows are those of RowBlocks.
+class VolumeFirstOrder final : public FirstOrderForm {
+ public:
+  VolumeFirstOrder(const VolumeWinslow& form, const GradientParts& parts)
+      : form_(form), parts_(parts) {
+    const auto nodes = form_.node_unknowns().nodes();
+    const std::vector<bool> stuck = form_.stuck_rows();
+    for (std::size_t row = 0; row < nodes.size(); ++row)
+      if (form_.structure_->sliding.slot(row) >= 0)
+        sliding_.push_back({at(parts.position(row)), nodes[row], stuck[row]});
+    const Topology& topology = form_.topology();
+    for (Index e = 0; e < topology.element_count(); ++e)
+      is_barrier_ &= topology.element_type(e) == ElementType::tetrahedron;
+  }
+
+  Index rows() const override { return static_cast<Index>(parts_.nodes().size()); }
+  bool is_barrier() const override { return is_barrier_; }
+  double gradient(const Coordinates& x, std::span<double> out) const override {
+    const double energy =
+        parts_.gradient(form_.kernel(), form_.data(x, nullptr), form_.threads(), out);
+    for (const Sliding& of : sliding_) {
+      Eigen::Map<Vec3> own(out.data() + 3 * of.position);
+      Vec3 along = Vec3::Zero();
+      for (const Vec3& direction : frame_of(of, x)) along += direction.dot(own) * direction;
+      own = along;
+    }
+    return energy;
+  }
+  void scales(const Coordinates& x, std::span<double> out) const override { form_.scales(x, out); }
+  void positions(const Coordinates& x, std::span<double> out) const override {
+    const SpacePoints points(x);
+    for (std::size_t p = 0; p < parts_.nodes().size(); ++p)
+      Eigen::Map<Vec3>(out.data() + 3 * p) = points[parts_.nodes()[p]];
+  }
+  void rates(const Coordinates& x, std::span<const double> vectors,
+             std::span<double> out) const override {
+    const auto count = form_.node_unknowns().nodes().size();
+    for (std::size_t row = 0; row < count; ++row)
+      std::copy_n(&vectors[3 * at(parts_.position(row))], 3, &out[3 * row]);
+    for (const Sliding& of : sliding_) {
+      const Eigen::Map<const Vec3> own(vectors.data() + 3 * of.position);
+      double* to = &out[3 * at(form_.structure_->row_of_node[at(of.node)])];
+      std::fill_n(to, 3, 0.0);
+      for (const Vec3& direction : frame_of(of, x)) *to++ = direction.dot(own);
+    }
+  }
+  void laplacian(const Coordinates& x, SparseMatrix& out) const override {
+    parts_.laplacian(form_.kernel(), form_.data(x, nullptr), form_.structure_->rows,
+                     form_.threads(), out);
+  }
+
+ private:
+  struct Sliding {
+    std::size_t position;
+    Index node;
+    bool stuck;
+  };
+  TangentFrame frame_of(const Sliding& of, const Coordinates& x) const {
+    if (of.stuck) return {};
+    return form_.node_unknowns().classes().foot(of.node, x.xyz(of.node)).frame;
+  }
+
+  VolumeWinslow form_;  // shares its structure, which has the parts
+  const GradientParts& parts_;
+  std::vector<Sliding> sliding_;
+  bool is_barrier_ = true;
+};
+
+template <int D>
+std::shared_ptr<const FirstOrderForm> SimplexWinslow<D>::first_order() const {
+  if constexpr (D == 3) {
+    if (structure_->joins()) return nullptr;
+    auto& parts = structure_->parts;
+    std::call_once(parts.once, [&] {
+      parts.made = std::make_shared<const GradientParts>(structure_->rows, this->shapes().cells,
+                                                         structure_->row_of_node);
+    });
+    return std::make_shared<const VolumeFirstOrder>(*this, *parts.made);
+  } else {
+    return nullptr;
+  }
 }
 
 template class SimplexWinslow<2>;

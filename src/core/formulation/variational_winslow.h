@@ -55,8 +55,11 @@ class SimplexWinslow final : public TargetForm<D> {
                                                            std::span<const double> direction,
                                                            double step) const override;
   std::unique_ptr<const TargetPath> target_path(const Coordinates& from) const override;
+  /// Null in the plane, and where nodes depend on others (periodic pairs, rows along curves).
+  std::shared_ptr<const FirstOrderForm> first_order() const override;
 
  private:
+  friend class VolumeFirstOrder;
   struct BlockMemory;
   double worst(const Coordinates& x, bool of_guards) const override;
   std::shared_ptr<TargetForm<D>> copy() const override {
@@ -74,6 +77,7 @@ class SimplexWinslow final : public TargetForm<D> {
                    Index block, BlockMemory& memory) const;
   template <typename Visit>
   void for_each_block(Visit&& visit) const;
+  void scales(const Coordinates& x, std::span<double> out) const;
 
   std::shared_ptr<const SimplexStructure<D>> structure_;
 };

@@ -33,6 +33,16 @@ decltype(auto) with_block(int block, Body&& body) {
   }
 }
 
+/// The same with how many numbers a vector has for each row as a second constant. width: of scalar
+/// matrices, right-hand sides at once: 1 or 4.
+template <typename Body>
+decltype(auto) with_shape(int block, int width, Body&& body) {
+  using One = std::integral_constant<int, 1>;
+  if (block == 1 && width == 4) return body(One{}, std::integral_constant<int, 4>{});
+  if (width != 1) throw UsageError("only scalar matrices take several right-hand sides at once");
+  return with_block(block, [&](auto size) { return body(size, size); });
+}
+
 /// B by B, row-major, as in SparseMatrix::values.
 template <typename Scalar, int B>
 using Block = Eigen::Matrix<Scalar, B, B, B == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
@@ -68,6 +78,24 @@ inline void multiply(const A* a, const X* x, Y* y) {
     y[r] = 0;
     for (int c = 0; c < B; ++c) y[r] += a[r * B + c] * x[c];
   }
+}
+
+/// y = A x for a row of N = B numbers, or for N right-hand sides of a scalar.
+template <int B, int N, typename A, typename X, typename Y>
+inline void multiply_row(const A* a, const X* x, Y* y) {
+  if constexpr (N == B)
+    multiply<B>(a, x, y);
+  else
+    for (int k = 0; k < N; ++k) y[k] = a[0] * x[k];
+}
+
+/// The same, y += A x.
+template <int B, int N, typename A, typename X, typename Y>
+inline void multiply_add_row(const A* a, const X* x, Y* y) {
+  if constexpr (N == B)
+    multiply_add<B>(a, x, y);
+  else
+    for (int k = 0; k < N; ++k) y[k] += a[0] * x[k];
 }
 
 /// Smallest eigenvalue of a symmetric block; only its lower triangle is read. NaN if the block is
@@ -120,6 +148,27 @@ inline void row_product<3, float>(const float* values, const Index* columns, Ind
   out[0] = r0[0] + r0[1] + r0[2];
   out[1] = r1[0] + r1[1] + r1[2];
   out[2] = r2[1] + r2[2] + r2[3];
+}
+
+/// The same for a scalar matrix and four right-hand sides at once, the numbers of a row side by
+/// side.
+inline void wide_row_product(const float* values, const Index* columns, Index first, Index last,
+                             const float* x, float* out) {
+  typedef float Pack __attribute__((vector_size(16)));
+  const auto term = [&](Index e) {
+    Pack from;
+    std::memcpy(&from, x + std::ptrdiff_t{4} * columns[e], sizeof from);
+    return values[e] * from;
+  };
+  Pack even{}, odd{};  // two sums, so that an addition need not wait for the one before
+  Index e = first;
+  for (; e + 1 < last; e += 2) {
+    even += term(e);
+    odd += term(e + 1);
+  }
+  if (e < last) even += term(e);
+  even += odd;
+  std::memcpy(out, &even, sizeof even);
 }
 
 }  // namespace winslow

@@ -59,9 +59,20 @@ void GaussSeidel::each_run(int threads, Visit&& visit) const {
   });
 }
 
-void GaussSeidel::build(const SparseMatrix& matrix, int threads) {
+/// The same with the numbers a row of vectors as a second constant.
+template <typename Visit>
+void GaussSeidel::each_run_of_vectors(int threads, Visit&& visit) const {
+  const auto numbers = at(width_) * values_.size();
+  with_shape(block_, width_, [&](auto size, auto count) {
+    parallel_for(worthwhile(threads, numbers), pattern_->rows(),
+                 [&](Index begin, Index end) { visit(size, count, begin, end); });
+  });
+}
+
+void GaussSeidel::build(const SparseMatrix& matrix, int threads, int width) {
   pattern_ = matrix.pattern;
   block_ = matrix.block;
+  width_ = width;
   const auto rows = at(pattern_->rows());
   values_.resize(matrix.values.size());
   inverse_.resize(rows * at(block_) * at(block_));
@@ -97,77 +108,81 @@ void GaussSeidel::build_rows(const SparseMatrix& matrix, Index begin, Index end)
   }
 }
 
-template <int B>
+template <int B, int N>
 void GaussSeidel::product(Index first, Index last, std::span<const Real> x, Real* out) const {
-  row_product<B>(values_.data(), pattern_->columns.data(), first, last, x.data(), out);
+  if constexpr (N == B)
+    row_product<B>(values_.data(), pattern_->columns.data(), first, last, x.data(), out);
+  else
+    wide_row_product(values_.data(), pattern_->columns.data(), first, last, x.data(), out);
 }
 
-template <int B>
+template <int B, int N>
 void GaussSeidel::forward_rows(std::span<const Real> b, std::span<Real> x, Index begin,
                                Index end) const {
   for (auto i = at(begin); i < at(end); ++i) {
-    Real sum[B];
-    product<B>(inside_[2 * i], pattern_->diagonal[i], x, sum);
-    for (std::size_t k = 0; k < B; ++k) sum[k] = b[i * B + k] - sum[k];
-    multiply<B>(&inverse_[i * B * B], sum, &x[i * B]);
+    Real sum[N];
+    product<B, N>(inside_[2 * i], pattern_->diagonal[i], x, sum);
+    for (std::size_t k = 0; k < N; ++k) sum[k] = b[i * N + k] - sum[k];
+    multiply_row<B, N>(&inverse_[i * B * B], sum, &x[i * N]);
   }
 }
 
 /// After the forward sweep b - A x = D (C - 1) x - (L^T + O) x.
-template <int B>
+template <int B, int N>
 void GaussSeidel::defect_after_forward(std::span<const Real> x, std::span<Real> r, Index begin,
                                        Index end) const {
   const SparsityPattern& p = *pattern_;
   for (auto i = at(begin); i < at(end); ++i) {
-    Real sum[B], before[B], after[B];
-    product<B>(p.diagonal[i], p.diagonal[i] + 1, x, sum);
-    product<B>(p.offsets[i], inside_[2 * i], x, before);
-    product<B>(p.diagonal[i] + 1, p.offsets[i + 1], x, after);
-    for (std::size_t k = 0; k < B; ++k) r[i * B + k] = excess_[i] * sum[k] - before[k] - after[k];
+    Real sum[N], before[N], after[N];
+    product<B, N>(p.diagonal[i], p.diagonal[i] + 1, x, sum);
+    product<B, N>(p.offsets[i], inside_[2 * i], x, before);
+    product<B, N>(p.diagonal[i] + 1, p.offsets[i + 1], x, after);
+    for (std::size_t k = 0; k < N; ++k) r[i * N + k] = excess_[i] * sum[k] - before[k] - after[k];
   }
 }
 
-template <int B>
+template <int B, int N>
 void GaussSeidel::backward_rows(std::span<const Real> b, std::span<const Real> before,
                                 std::span<Real> x, Index begin, Index end) const {
   const SparsityPattern& p = *pattern_;
   for (auto i = at(end); i-- > at(begin);) {
-    Real inside[B], first[B], last[B], step[B];
-    product<B>(inside_[2 * i], inside_[2 * i + 1], x, inside);
+    Real inside[N], first[N], last[N], step[N];
+    product<B, N>(inside_[2 * i], inside_[2 * i + 1], x, inside);
     // Other threads may be changing x in other runs.
-    product<B>(p.offsets[i], inside_[2 * i], before, first);
-    product<B>(inside_[2 * i + 1], p.offsets[i + 1], before, last);
-    for (std::size_t k = 0; k < B; ++k) inside[k] = b[i * B + k] - first[k] - inside[k] - last[k];
-    multiply<B>(&inverse_[i * B * B], inside, step);
-    for (std::size_t k = 0; k < B; ++k) x[i * B + k] += step[k];
+    product<B, N>(p.offsets[i], inside_[2 * i], before, first);
+    product<B, N>(inside_[2 * i + 1], p.offsets[i + 1], before, last);
+    for (std::size_t k = 0; k < N; ++k) inside[k] = b[i * N + k] - first[k] - inside[k] - last[k];
+    multiply_row<B, N>(&inverse_[i * B * B], inside, step);
+    for (std::size_t k = 0; k < N; ++k) x[i * N + k] += step[k];
   }
 }
 
 void GaussSeidel::forward(std::span<const Real> b, std::span<Real> x, std::span<Real> r,
                           int threads) const {
-  each_run(threads,
-           [&](auto size, Index begin, Index end) { forward_rows<size()>(b, x, begin, end); });
-  each_run(threads, [&](auto size, Index begin, Index end) {
-    defect_after_forward<size()>(x, r, begin, end);
+  each_run_of_vectors(threads, [&](auto size, auto count, Index begin, Index end) {
+    forward_rows<size(), count()>(b, x, begin, end);
+  });
+  each_run_of_vectors(threads, [&](auto size, auto count, Index begin, Index end) {
+    defect_after_forward<size(), count()>(x, r, begin, end);
   });
 }
 
 void GaussSeidel::backward(std::span<const Real> b, std::span<const Real> before, std::span<Real> x,
                            int threads) const {
-  each_run(threads, [&](auto size, Index begin, Index end) {
-    backward_rows<size()>(b, before, x, begin, end);
+  each_run_of_vectors(threads, [&](auto size, auto count, Index begin, Index end) {
+    backward_rows<size(), count()>(b, before, x, begin, end);
   });
 }
 
 void GaussSeidel::defect(std::span<const Real> b, std::span<const Real> x, std::span<Real> r,
                          int threads) const {
   const SparsityPattern& p = *pattern_;
-  each_run(threads, [&](auto size, Index begin, Index end) {
-    constexpr int B = size();
+  each_run_of_vectors(threads, [&](auto size, auto count, Index begin, Index end) {
+    constexpr std::size_t N = count();
     for (auto i = at(begin); i < at(end); ++i) {
-      Real sum[B];
-      product<B>(p.offsets[i], p.offsets[i + 1], x, sum);
-      for (std::size_t k = 0; k < B; ++k) r[i * B + k] = b[i * B + k] - sum[k];
+      Real sum[N];
+      product<size(), count()>(p.offsets[i], p.offsets[i + 1], x, sum);
+      for (std::size_t k = 0; k < N; ++k) r[i * N + k] = b[i * N + k] - sum[k];
     }
   });
 }
@@ -205,7 +220,10 @@ Eigen::MatrixXd dense_matrix(const SparseMatrix& matrix) {
 
 class Multigrid final : public Preconditioner {
  public:
-  explicit Multigrid(int threads) : threads_(threads) {}
+  /// components: right-hand sides, 1, or 3 for scalar matrices. Inside, three are four numbers
+  /// wide.
+  Multigrid(int threads, std::size_t components)
+      : threads_(threads), components_(components), width_(components == 1 ? 1 : 4) {}
 
   std::string description() const override {
     const std::string levels =
@@ -214,6 +232,8 @@ class Multigrid final : public Preconditioner {
   }
 
   void build(const SparseMatrix& finest) override {
+    if (width_ != 1 && finest.block != 1)
+      throw UsageError("multigrid of components takes scalar matrices only");
     const bool fresh = pattern_ != finest.pattern || block_ != finest.block;
     if (fresh) {
       levels_.clear();
@@ -234,13 +254,19 @@ class Multigrid final : public Preconditioner {
     for (const double v : r) largest = std::max(largest, std::abs(v));
     const double scale =
         largest > 0 && std::isfinite(largest) ? std::exp2(-std::ilogb(largest)) : 1;
-    const auto n = static_cast<Index>(r.size());
-    parallel_for(worthwhile(threads_, r.size()), n, [&](Index begin, Index end) {
-      for (auto i = at(begin); i < at(end); ++i) finest.b[i] = static_cast<Real>(r[i] * scale);
-    });
+    const auto n = static_cast<Index>(r.size() / components_);
+    const auto each_number = [&](auto&& visit) {
+      parallel_for(worthwhile(threads_, r.size()), n, [&](Index begin, Index end) {
+        for (auto i = at(begin); i < at(end); ++i)
+          for (std::size_t k = 0; k < components_; ++k)
+            visit(components_ * i + k, at(width_) * i + k);
+      });
+    };
+    each_number(
+        [&](std::size_t i, std::size_t to) { finest.b[to] = static_cast<Real>(r[i] * scale); });
     cycle(0);
-    parallel_for(worthwhile(threads_, r.size()), n, [&](Index begin, Index end) {
-      for (auto i = at(begin); i < at(end); ++i) z[i] = static_cast<double>(finest.x[i]) / scale;
+    each_number([&](std::size_t i, std::size_t from) {
+      z[i] = static_cast<double>(finest.x[from]) / scale;
     });
   }
 
@@ -250,7 +276,7 @@ class Multigrid final : public Preconditioner {
     Level& level = levels_[l];
     const SparseMatrix& matrix = l == 0 ? finest : level.own;
     for (auto* v : {&level.b, &level.x, &level.r, &level.before, &level.first_visit}) {
-      v->resize(at(matrix.rows()));
+      v->resize(at(width_) * at(matrix.rows()));
     }
     if (matrix.pattern->rows() <= dense_rows) {
       level.dense.compute(dense_matrix(matrix));
@@ -259,7 +285,7 @@ class Multigrid final : public Preconditioner {
       }
       return false;
     }
-    level.smoother.build(matrix, threads_);
+    level.smoother.build(matrix, threads_, width_);
     if (fresh) {
       Prolongation prolongation(matrix, strength);
       const Index coarse = prolongation.coarse_rows();
@@ -279,18 +305,23 @@ class Multigrid final : public Preconditioner {
   void cycle(std::size_t l) {
     Level& level = levels_[l];
     if (level.dense.rows() > 0) {
-      const auto n = static_cast<Eigen::Index>(level.b.size());
-      const Eigen::Map<const Eigen::VectorX<Real>> b(level.b.data(), n);
-      Eigen::Map<Eigen::VectorX<Real>>(level.x.data(), n) =
-          level.dense.solve(b.cast<double>()).cast<Real>();
+      using Column = Eigen::VectorX<Real>;
+      const Eigen::InnerStride<> stride(width_);
+      for (int k = 0; k < width_; ++k) {
+        const Eigen::Map<const Column, 0, Eigen::InnerStride<>> b(level.b.data() + k,
+                                                                  level.dense.rows(), stride);
+        Eigen::Map<Column, 0, Eigen::InnerStride<>>(level.x.data() + k, level.dense.rows(),
+                                                    stride) =
+            level.dense.solve(b.cast<double>()).cast<Real>();
+      }
       return;
     }
     level.smoother.forward(level.b, level.x, level.r, threads_);
     if (level.prolongation) {
       Level& coarse = levels_[l + 1];
-      level.prolongation->restrict(level.r, coarse.b, threads_);
+      level.prolongation->restrict(level.r, coarse.b, threads_, width_);
       visit_twice(l + 1);
-      level.prolongation->prolong(coarse.x, level.x, level.before, threads_);
+      level.prolongation->prolong(coarse.x, level.x, level.before, threads_, width_);
     } else {
       level.before = level.x;
     }
@@ -310,6 +341,8 @@ class Multigrid final : public Preconditioner {
   }
 
   int threads_;
+  std::size_t components_;
+  int width_;
   std::shared_ptr<const SparsityPattern> pattern_;  // of the hierarchy
   int block_ = 0;
   std::deque<Level> levels_;
@@ -318,7 +351,11 @@ class Multigrid final : public Preconditioner {
 }  // namespace
 
 std::unique_ptr<Preconditioner> make_multigrid(int threads) {
-  return std::make_unique<Multigrid>(threads);
+  return std::make_unique<Multigrid>(threads, std::size_t{1});
+}
+
+std::unique_ptr<Preconditioner> make_multigrid_of_components(int threads) {
+  return std::make_unique<Multigrid>(threads, std::size_t{3});
 }
 
 }  // namespace winslow

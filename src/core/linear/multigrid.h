@@ -17,8 +17,9 @@ namespace winslow {
 /// Sci. Comput. 33, 2011).
 class GaussSeidel {
  public:
-  /// Copies the matrix. Throws NotPositiveDefinite if a block on the diagonal is not.
-  void build(const SparseMatrix& matrix, int threads);
+  /// Copies the matrix. Throws NotPositiveDefinite if a block on the diagonal is not. width:
+  /// right-hand sides at once, 1, or 4 for a scalar matrix; vectors then have four numbers a row.
+  void build(const SparseMatrix& matrix, int threads, int width = 1);
 
   /// x = M^-1 b, the forward sweep from x = 0, and r = b - A x.
   void forward(std::span<const Real> b, std::span<Real> x, std::span<Real> r, int threads) const;
@@ -33,22 +34,25 @@ class GaussSeidel {
  private:
   template <typename Visit>
   void each_run(int threads, Visit&& visit) const;
+  template <typename Visit>
+  void each_run_of_vectors(int threads, Visit&& visit) const;
+  // In the following, N is how many numbers a vector has for each row: B, or the width.
   /// Row i of A times x over the entries [first, last) of the matrix.
-  template <int B>
+  template <int B, int N>
   void product(Index first, Index last, std::span<const Real> x, Real* out) const;
   template <int B>
   void build_rows(const SparseMatrix& matrix, Index begin, Index end);
-  template <int B>
+  template <int B, int N>
   void forward_rows(std::span<const Real> b, std::span<Real> x, Index begin, Index end) const;
-  template <int B>
+  template <int B, int N>
   void defect_after_forward(std::span<const Real> x, std::span<Real> r, Index begin,
                             Index end) const;
-  template <int B>
+  template <int B, int N>
   void backward_rows(std::span<const Real> b, std::span<const Real> before, std::span<Real> x,
                      Index begin, Index end) const;
 
   std::shared_ptr<const SparsityPattern> pattern_;
-  int block_ = 1;
+  int block_ = 1, width_ = 1;
   std::vector<Real> values_;
   std::vector<Real> inverse_;  // (D C)^-1, row by row
   std::vector<Real> excess_;   // C - 1, row by row
@@ -64,5 +68,9 @@ class GaussSeidel {
 /// object stays the same; its values are rebuilt. In single precision. threads: 0 for all cores; no
 /// result depends on it.
 std::unique_ptr<Preconditioner> make_multigrid(int threads);
+
+/// The same cycle for scalar matrices and three right-hand sides at once, in one pass over the
+/// matrix: vectors hold #rows by 3 numbers, as those of a mesh in space.
+std::unique_ptr<Preconditioner> make_multigrid_of_components(int threads);
 
 }  // namespace winslow

@@ -255,37 +255,42 @@ void Prolongation::build_rows(const SparseMatrix& matrix, Index begin, Index end
 }
 
 void Prolongation::prolong(std::span<const Real> coarse, std::span<Real> x, std::span<Real> copy,
-                           int threads) const {
-  with_block(block_, [&](auto size) {
-    constexpr int B = size();
+                           int threads, int width) const {
+  with_shape(block_, width, [&](auto size, auto count) {
+    constexpr int B = size(), N = count();
     parallel_for(worthwhile(threads, values_.size()), rows_, [&](Index begin, Index end) {
       for (auto i = at(begin); i < at(end); ++i) {
         for (auto e = at(offsets_[i]); e < at(offsets_[i + 1]); ++e) {
-          multiply_add<B>(&values_[e * B * B], &coarse[at(columns_[e]) * B], &x[i * B]);
+          multiply_add_row<B, N>(&values_[e * B * B], &coarse[at(columns_[e]) * N], &x[i * N]);
         }
-        std::copy_n(&x[i * B], B, &copy[i * B]);
+        std::copy_n(&x[i * N], N, &copy[i * N]);
       }
     });
   });
 }
 
-void Prolongation::restrict(std::span<const Real> r, std::span<Real> coarse, int threads) const {
-  with_block(block_, [&](auto size) {
-    constexpr std::size_t B = size();
+void Prolongation::restrict(std::span<const Real> r, std::span<Real> coarse, int threads,
+                            int width) const {
+  with_shape(block_, width, [&](auto size, auto count) {
+    constexpr std::size_t B = size(), N = count();
     constexpr Index coarse_block = 256;  // few rows, each expensive
     parallel_for(
         worthwhile(threads, values_.size()), coarse_rows(),
         [&](Index begin, Index end) {
           for (auto a = at(begin); a < at(end); ++a) {
-            Real sum[B]{};
+            Real sum[N]{};
             for (auto t = at(transposed_offsets_[a]); t < at(transposed_offsets_[a + 1]); ++t) {
               const Real* p = &values_[at(transposed_entries_[t]) * B * B];
-              const Real* from = &r[at(transposed_rows_[t]) * B];
-              for (std::size_t k = 0; k < B; ++k) {
-                for (std::size_t c = 0; c < B; ++c) sum[c] += p[k * B + c] * from[k];
+              const Real* from = &r[at(transposed_rows_[t]) * N];
+              if constexpr (N != B) {
+                for (std::size_t c = 0; c < N; ++c) sum[c] += p[0] * from[c];
+              } else {
+                for (std::size_t k = 0; k < B; ++k) {
+                  for (std::size_t c = 0; c < B; ++c) sum[c] += p[k * B + c] * from[k];
+                }
               }
             }
-            std::copy_n(sum, B, &coarse[a * B]);
+            std::copy_n(sum, N, &coarse[a * N]);
           }
         },
         coarse_block);

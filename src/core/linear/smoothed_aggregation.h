@@ -38,11 +38,12 @@ class Prolongation {
   /// Values for a matrix of the same pattern.
   void build(const SparseMatrix& matrix, int threads);
 
-  /// x += P coarse; copies the result into `copy`.
-  void prolong(std::span<const Real> coarse, std::span<Real> x, std::span<Real> copy,
-               int threads) const;
+  /// x += P coarse; copies the result into `copy`. width: right-hand sides at once, 1, or 4 of a
+  /// scalar matrix, which have four numbers a row.
+  void prolong(std::span<const Real> coarse, std::span<Real> x, std::span<Real> copy, int threads,
+               int width = 1) const;
   /// coarse = P^T r.
-  void restrict(std::span<const Real> r, std::span<Real> coarse, int threads) const;
+  void restrict(std::span<const Real> r, std::span<Real> coarse, int threads, int width = 1) const;
 
   Index coarse_rows() const { return static_cast<Index>(transposed_offsets_.size()) - 1; }
 

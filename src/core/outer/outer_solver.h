@@ -18,13 +18,14 @@ enum class Stage {
   picard,    ///< fixed-point iteration
   untangle,  ///< towards a mesh without inverted elements
   relax,     ///< approaching a solution before the path or the last steps
+  descent,   ///< first-order steps towards a solution
   path,      ///< following the boundary's motion
   newton,    ///< Newton's method towards the tolerance
   worst      ///< raising the worst element of a solution
 };
 /// "picard", "untangle", ...
 inline std::string_view stage_name(Stage stage) {
-  constexpr std::array<std::string_view, 6> names{"picard", "untangle", "relax",
+  constexpr std::array<std::string_view, 7> names{"picard", "untangle", "relax", "descent",
                                                   "path",   "newton",   "worst"};
   return names[static_cast<std::size_t>(stage)];
 }

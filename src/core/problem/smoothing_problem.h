@@ -76,6 +76,30 @@ struct Linearisation {
   double energy;
 };
 
+/// What first-order methods need of an energy E, in vectors of the three components of each node
+/// with unknowns (#rows by 3). The rows have an order of their own, in which neighbours in the mesh
+/// lie close together. Where nodes slide, gradients have their components in the directions in
+/// which the nodes may move.
+class FirstOrderForm {
+ public:
+  virtual ~FirstOrderForm() = default;
+  virtual Index rows() const = 0;
+  /// Returns E, infinite where x is not valid. out: receives dE/dx, undefined where E is infinite.
+  virtual double gradient(const Coordinates& x, std::span<double> out) const = 0;
+  /// Whether no element is inverted wherever E is finite, if none was before.
+  virtual bool is_barrier() const = 0;
+  /// Lengths of the gradient of each row (#rows) at which its scaled residual is 1: see
+  /// SmoothingProblem::residual().
+  virtual void scales(const Coordinates& x, std::span<double> out) const = 0;
+  virtual void positions(const Coordinates& x, std::span<double> out) const = 0;
+  /// The rates (#unknowns) at which the nodes move by `vectors`, as far as they may.
+  virtual void rates(const Coordinates& x, std::span<const double> vectors,
+                     std::span<double> out) const = 0;
+  /// A symmetric positive definite matrix, #rows by #rows, that resembles the Hessian in each
+  /// component. Its pattern object is the same for all x.
+  virtual void laplacian(const Coordinates& x, SparseMatrix& out) const = 0;
+};
+
 /// A problem whose solutions are minima of an energy E that is infinite where the mesh is invalid.
 class EnergyProblem : public SmoothingProblem {
  public:
@@ -93,6 +117,8 @@ class EnergyProblem : public SmoothingProblem {
   }
   /// Number of nodes held for this reason.
   virtual Index stuck_nodes() const { return 0; }
+  /// The same energy for first-order methods; null if the problem has no such form.
+  virtual std::shared_ptr<const FirstOrderForm> first_order() const { return nullptr; }
 };
 
 /// Replaces the barrier on meshes with inverted elements: the determinant D of a cell (twice the

@@ -1,5 +1,6 @@
 #include "core/strategy/newton_run.h"
 
+#include "core/error.h"
 #include "core/strategy/sliding.h"
 
 namespace winslow {
@@ -70,8 +71,12 @@ bool NewtonRun::converge(Coordinates& x, double fraction, bool at_any_pace) {
     creeping = !at_any_pace && has_targets() && creeps(record);
     return creeping;
   };
-  relax(x, fraction,
-        [&](const IterationRecord& record) { return too_slow(record) || near_enough(record); });
+  const bool is_near = descend(x, fraction, {});
+  if (is_near && recorder_.result().converged) return true;
+  const auto enough = [&](const IterationRecord& record) {
+    return too_slow(record) || near_enough(record);
+  };
+  if (!is_near) relax(x, fraction, enough);
   if (!creeping) recorder_.iterate(newton(), x, Stage::newton, fraction, too_slow);
   if (creeping) return false;
   while (recorder_.result().converged && sharpen(x)) {
@@ -338,6 +343,41 @@ void NewtonRun::move_in_steps(const Motion& motion, const Coordinates& rest, int
     if (k < increments) approach(x, fraction);
   }
   converge(x, 1);
+}
+
+/// Whether first-order steps come before Newton's method.
+bool VariationalRun::descends() {
+  // Unknowns. Smaller meshes take a tenth of a second either way, and the factors of direct solvers
+  // are exact. Measured in docs/performance.md, also on stretched meshes.
+  constexpr std::size_t worthwhile = 6'000;
+  const SmoothOptions& options = workspace().options();
+  if (options.outer == OuterMethod::newton) return false;
+  if (options.outer != OuterMethod::descent &&
+      (options.linear.solver != "automatic" || energy().unknowns() < worthwhile))
+    return false;
+  if (energy().first_order()) return true;
+  if (options.outer != OuterMethod::descent) return false;
+  throw UsageError(
+      "the outer method descent is for volume meshes without periodic sides and without rows of "
+      "nodes that keep their spacing: choose auto or newton");
+}
+
+/// With the penalty that was asked for, so that the solution is one: no knee is raised.
+bool VariationalRun::descend(Coordinates& x, double fraction, const RunRecorder::Enough& enough) {
+  constexpr int limit = 200;
+  if (on_path_ || !descends()) return false;
+  if (!(energy().penalty() == asked_for())) change_penalty(asked_for());
+  if (descent_) {
+    descent_->set_problem(energy_);
+  } else {
+    const SmoothOptions& options = workspace().options();
+    descent_ = std::make_unique<EnergyDescent>(energy_,
+                                               DescentOptions{options.tolerance, options.threads});
+  }
+  const IterationRecord last =
+      recorder().iterate(*descent_, x, Stage::descent, fraction, limit, enough);
+  recorder().result().linear_solver = descent_->description();
+  return near_enough(last) && !(last.inverted > 0);
 }
 
 void VariationalRun::relax(Coordinates& x, double fraction, const RunRecorder::Enough& enough) {

@@ -2,6 +2,7 @@
 
 #include "core/formulation/target_path.h"
 #include "core/motion/motion.h"
+#include "core/outer/energy_descent.h"
 #include "core/outer/outer_solver.h"
 #include "core/outer/path_follower.h"
 #include "core/strategy/mesh_state.h"
@@ -51,6 +52,13 @@ class NewtonRun {
   /// until `enough` returns true.
   virtual void relax(Coordinates& /*x*/, double /*fraction*/,
                      const RunRecorder::Enough& /*enough*/) {}
+  /// Called before relax() and Newton's method, at a valid mesh: first-order steps towards the
+  /// solution, where these pay. Iterates until `enough` returns true. Returns whether the mesh is
+  /// near the solution (near_enough()); if it is one, the recorder knows.
+  virtual bool descend(Coordinates& /*x*/, double /*fraction*/,
+                       const RunRecorder::Enough& /*enough*/) {
+    return false;
+  }
   /// Called at a solution. Returns true if Newton's method should continue to a better one that
   /// relax() gave up.
   virtual bool sharpen(const Coordinates& /*x*/) { return false; }
@@ -124,6 +132,8 @@ class VariationalRun final : public NewtonRun {
   /// Far from a solution the steep penalty slows Newton's method down, so a gentle one comes first.
   /// If its mesh still has elements far beyond the knee, the knee is doubled until none is.
   void relax(Coordinates& x, double fraction, const RunRecorder::Enough& enough) override;
+  bool descend(Coordinates& x, double fraction, const RunRecorder::Enough& enough) override;
+  bool descends();
   bool has_targets() const override { return true; }
   void vary_targets(const Coordinates& from) override;
   void set_target_share(double share) override;
@@ -150,6 +160,7 @@ class VariationalRun final : public NewtonRun {
 
   std::shared_ptr<const VariationalForm> energy_;  // minimised by newton(); null: not made yet
   std::unique_ptr<const TargetPath> target_path_;
+  std::unique_ptr<EnergyDescent> descent_;
   bool on_path_ = false;
 };
 

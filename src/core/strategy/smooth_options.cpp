@@ -103,6 +103,27 @@ OptionTable vcv_rows(SmoothOptions& o) {
   };
 }
 
+Option outer_option(SmoothOptions& o) {
+  return {
+      .key = "outer",
+      .value = ChoiceOption(
+          o.outer,
+          {{"auto", "Automatic",
+            "newton, after descent in volume meshes of 2,000 free nodes or more; pointwise: "
+            "picard where that does not end converged"},
+           {"newton", "Newton", "Newton's method; boundary motions along the path of valid meshes"},
+           {"descent", "First-order",
+            "first-order steps (L-BFGS) to the solution, or near it: newton goes on where these "
+            "are slow; variational, volume meshes only",
+            is_variational(o)},
+           {"picard", "Fixed point",
+            "the paper's damped iteration, coefficients frozen (pointwise only)",
+            !is_variational(o)}}),
+      .label = "Iteration",
+      .help = "Outer iteration",
+      .applies = !is_variational(o) || o.outer == OuterMethod::descent};
+}
+
 OptionTable equations(SmoothOptions& o) {
   const bool variational = is_variational(o);
   return {
@@ -137,17 +158,7 @@ OptionTable equations(SmoothOptions& o) {
                  "Jacobian; where targets keep elements stretched there may be nothing to gain. "
                  "Takes many more iterations, in drags too.",
        .applies = variational},
-      {.key = "outer",
-       .value = ChoiceOption(
-           o.outer,
-           {{"auto", "Automatic", "newton; pointwise: picard where that does not end converged"},
-            {"newton", "Newton",
-             "Newton's method; boundary motions along the path of valid meshes"},
-            {"picard", "Fixed point",
-             "the paper's damped iteration, coefficients frozen (pointwise only)", !variational}}),
-       .label = "Iteration",
-       .help = "Outer iteration",
-       .applies = !variational},
+      outer_option(o),
       {.key = "untangle",
        .value = ChoiceOption(
            o.untangle,
@@ -272,6 +283,9 @@ void validate(const SmoothOptions& options) {
   require(!(is_variational(options) && options.outer == OuterMethod::picard),
           "the variational form has no fixed-point iteration: choose the outer method newton, or "
           "the formulation pointwise");
+  require(is_variational(options) || options.outer != OuterMethod::descent,
+          "the pointwise form has no energy for first-order steps to lower: choose another outer "
+          "method than descent, or the formulation variational");
   require(
       is_variational(options) || !linear_solver_needs_symmetry(options.linear.solver),
       "the linear solver " + options.linear.solver +

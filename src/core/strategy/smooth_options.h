@@ -26,8 +26,10 @@ std::string_view formulation_name(Formulation formulation);
 
 /// The method of the outer iteration.
 enum class OuterMethod {
-  automatic,  ///< Newton; pointwise form: the fixed point if Newton does not converge
+  automatic,  ///< Newton, after first-order steps where these pay; pointwise form: the fixed point
+              ///< if Newton does not converge
   newton,     ///< Newton's method, safeguarded
+  descent,    ///< first-order steps, then Newton if these do not end converged (volume meshes)
   picard      ///< the paper's fixed point: coefficients frozen, damped (pointwise form only)
 };
 
