@@ -290,8 +290,8 @@ class Verdicts(ProgramTest):
 
     def test_a_motion_cut_short_is_not_written_unless_asked_for(self):
         self.ring()
-        move = ("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--translate", "0.2", "0",
-                "--max-iterations", "2", "--report", "r.json")
+        move = ("move", "ring.su2", "-o", "out.su2", "--marker", "body", "--rotate", "170",
+                "--pivot", "0", "0", "--max-iterations", "2", "--report", "r.json")
         run = self.winslow(*move, code=INVERTED)
         self.assertIn("the limit of iterations was reached", run.stderr)
         self.assertNotIn("out.su2", self.files())
@@ -301,7 +301,8 @@ class Verdicts(ProgramTest):
         nodes, elements, _ = support.read_su2(self.path("out.su2"))
         before, _, _ = support.read_su2(self.path("ring.su2"))
         self.assertGreater(support.smallest_corner_area(nodes, elements), 0)
-        self.assertAlmostEqual(nodes[0][0] - before[0][0], 0.2 * reached, delta=1e-12)
+        turned = math.atan2(nodes[0][1], nodes[0][0]) - math.atan2(before[0][1], before[0][0])
+        self.assertAlmostEqual(math.degrees(turned), 170 * reached, delta=1e-9)
 
     def test_a_motion_that_is_blocked_ends_at_the_last_valid_mesh(self):
         self.ring()
