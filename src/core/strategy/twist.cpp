@@ -225,10 +225,10 @@ std::optional<Twist> Twist::find(const NodeClasses& classes, const Coordinates& 
   const auto bodies = single_bodies(motion);
   if (!std::ranges::all_of(bodies, [](const Motion* body) { return body->rigid() != nullptr; }))
     return std::nullopt;
-  std::vector<std::vector<double>> u(bodies.size(), std::vector<double>(topology.node_count()));
-  std::vector<bool> known(topology.node_count());
-  for (Index node = 0; node < topology.node_count(); ++node)
-    known[at(node)] = classes[node] == NodeClass::fixed;
+  const Index count = topology.node_count();
+  std::vector<std::vector<double>> u(bodies.size(), std::vector<double>(at(count)));
+  std::vector<bool> known(at(count));
+  for (Index node = 0; node < count; ++node) known[at(node)] = classes[node] == NodeClass::fixed;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (const Index node : bodies[b]->nodes()) {
       known[at(node)] = true;
