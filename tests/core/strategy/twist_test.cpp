@@ -53,11 +53,13 @@ RigidMotion space_motion(double rotate, const Vec3& axis, const Vec3& translate)
 }  // namespace
 
 TEST_CASE("Where nothing is fixed a twist is the rigid motion of the body, whatever its parts") {
-  for (const auto& [volumes, motion] :
+  for (const auto& pair :
        {std::pair(Volumes::tetrahedra, space_motion(150, {1, 2, 3}, {0.3, 0.2, -1})),
         std::pair(Volumes::prisms, space_motion(0, {0, 0, 1}, {0.3, 0.2, -1})),
         std::pair(Volumes::hexahedra, space_motion(1e-7, {0, 1, 1}, {0.3, 0.2, -1})),
         std::pair(Volumes::hexahedra, space_motion(-180, {0, 1, 0}, {2, 0.5, 0}))}) {
+    const Volumes volumes = pair.first;
+    const RigidMotion& motion = pair.second;
     CAPTURE(name_of(volumes));
     CAPTURE(motion.rotate);
     const Mesh mesh = make_mesh(cube(4, volumes));
