@@ -17,21 +17,20 @@ class Rigid final : public Motion {
   Rigid(std::vector<Index> nodes, const RigidMotion& motion)
       : nodes_(std::move(nodes)),
         motion_(motion),
-        rotate_(motion.rotate),
         pivot_(motion.pivot->head<D>()),
         translate_(motion.translate.head<D>()),
         axis_(axis_of(motion).normalized()) {}
 
   std::span<const Index> nodes() const override { return nodes_; }
   const RigidMotion* rigid() const override { return &motion_; }
-  bool moves() const override { return rotate_ != 0 || !translate_.isZero(0); }
+  bool moves() const override { return motion_.rotate != 0 || !translate_.isZero(0); }
 
   void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
-    const Eigen::Matrix<double, D, D> rotation = rotation_by(radians(rotate_ * fraction));
+    const Eigen::Matrix<double, D, D> rotation = rotation_by(radians(motion_.rotate * fraction));
     for (const Index node : nodes_) {
       const Vec<D> p = rest.get<D>(node);
       // A pure translation must not use the pivot, which would cause rounding.
-      const Vec<D> turned = rotate_ == 0 ? p : Vec<D>(pivot_ + rotation * (p - pivot_));
+      const Vec<D> turned = motion_.rotate == 0 ? p : Vec<D>(pivot_ + rotation * (p - pivot_));
       out.set<D>(node, turned + fraction * translate_);
     }
   }
@@ -46,7 +45,6 @@ class Rigid final : public Motion {
 
   std::vector<Index> nodes_;
   RigidMotion motion_;
-  double rotate_;
   Vec<D> pivot_, translate_;
   Vec3 axis_;
 };
@@ -159,6 +157,11 @@ std::vector<Index> moving_nodes(const Topology& topology, const std::vector<std:
   return nodes;
 }
 
+double smooth_step(double t) {
+  t = std::clamp(t, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
 void require_finite(double value, const char* what) {
   if (!std::isfinite(value)) throw UsageError(std::string(what) + " is not a finite number");
 }
@@ -257,12 +260,6 @@ class Straight final : public Motion {
   std::vector<Index> nodes_;
   std::vector<Vec<D>> ways_, ends_;
 };
-
-/// 0 at t <= 0, 1 at t >= 1, with continuous slope.
-double smooth_step(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 double fade_factor(const SineDeformation& options, double s) {
   double factor = 1;

@@ -81,6 +81,8 @@ std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates&
 /// The nodes of the markers that move, ascending. Throws UsageError if there is no marker, an
 /// unknown one, or no node.
 std::vector<Index> moving_nodes(const Topology& topology, const std::vector<std::string>& markers);
+/// t^2 (3 - 2 t), but 0 at t < 0 and 1 at t > 1: a step with a continuous slope.
+double smooth_step(double t);
 /// Throws UsageError unless the number is finite. what: begins the message, e.g. "the amplitude".
 void require_finite(double value, const char* what);
 

@@ -217,20 +217,21 @@ Coordinates NewtonRun::carried(const Twist& twist, const Path& path, const Coord
   return out;
 }
 
-/// Whether Newton's method makes good steps from a mesh. If so, takes the first one, and adds it to
-/// the solves of the run.
-bool NewtonRun::correct(Coordinates& x) {
+/// Takes one step of Newton's method, and adds it to the solves of the run. Returns its record;
+/// none if the step was cut very short, and x is as before.
+std::optional<IterationRecord> NewtonRun::correct(Coordinates& x) {
   SteadySolver& solver = newton();
   const int before = solver.linear_solves();
   solver.start(x);
   Coordinates corrected = x;
-  const bool good = !creeps(solver.step(corrected));
+  const IterationRecord record = solver.step(corrected);
   recorder_.result().linear_solves += solver.linear_solves() - before;
-  if (good)
-    x = std::move(corrected);
-  else
+  if (creeps(record)) {
     solver.reject();
-  return good;
+    return std::nullopt;
+  }
+  x = std::move(corrected);
+  return record;
 }
 
 /// Carries the whole mesh along with rigid bodies as far as Newton's method goes on well from
@@ -256,10 +257,11 @@ double NewtonRun::carry_along(const Motion& motion, const Path& path, Coordinate
       share *= 0.5;
       continue;
     }
-    if (!correct(there)) return reached;
+    const auto record = correct(there);
+    if (!record) return reached;
     x = std::move(there);
     reached = to;
-    recorder_.report(newton().start(x), x, Stage::path, reached, true);
+    recorder_.report(*record, x, Stage::path, reached, true);
   }
   return reached;
 }

@@ -99,7 +99,7 @@ class NewtonRun {
   };
   Coordinates carried(const Twist& twist, const Path& path, const Coordinates& x, double from,
                       double to);
-  bool correct(Coordinates& x);
+  std::optional<IterationRecord> correct(Coordinates& x);
   double carry_along(const Motion& motion, const Path& path, Coordinates& x);
   void follow_path(const Path& path, double reached, double least_sine, Coordinates& x);
   static void go_back(const Path& path, PathMesh& earlier, double& reached, Coordinates& x);

@@ -111,7 +111,7 @@ Option outer_option(SmoothOptions& o) {
           {{"auto", "Automatic",
             "newton, after descent in volume meshes of 2,000 free nodes or more; pointwise: "
             "picard where that does not end converged"},
-           {"newton", "Newton", "Newton's method; boundary motions along the path of valid meshes"},
+           {"newton", "Newton", "Newton's method; boundary motions through valid meshes"},
            {"descent", "First-order",
             "first-order steps (L-BFGS) to the solution, or near it: newton goes on where these "
             "are slow; variational, volume meshes only",

@@ -187,11 +187,6 @@ class LaplaceMatrix {
   std::vector<Row> rows_;       // of nodes_
 };
 
-double smooth_step(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
 std::vector<const Motion*> single_bodies(const Motion& motion) {
   const Motion& bodies = motion.of_bodies();
   std::vector<const Motion*> out;
