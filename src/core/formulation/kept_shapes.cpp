@@ -22,10 +22,18 @@ double simplices_in(ElementType type) {
   }
 }
 
+constexpr double stretched_from = 4;  // aspect ratio from which weights grow
+
 /// stretch: logarithm of the aspect ratio of the own shape.
 double weight_by_stretch(double stretch) {
-  constexpr double from_aspect = 4, most = 300;
-  return std::clamp(std::exp(stretch) / from_aspect, 1.0, most);
+  constexpr double most = 300;
+  return std::clamp(std::exp(stretch) / stretched_from, 1.0, most);
+}
+/// The same for shapes in space. Most are not stretched, which is quickly seen.
+double weight_by_stretch(const Eigen::Matrix3d& regular, const Eigen::Matrix3d& own) {
+  static const double limit = std::log(stretched_from) - stretch_error;
+  if (quick_stretch(regular.llt().matrixL(), own) < limit) return 1;
+  return weight_by_stretch(stretch_between(regular, own));
 }
 
 /// distortion: f of the own shape, from the regular one.
@@ -54,7 +62,7 @@ KeptTerms<3> kept_terms(ElementType type, const Eigen::Matrix3d& regular,
                         const Eigen::Matrix3d& own, double weight) {
   const Eigen::Matrix3d straight = with_lengths_of(own, regular);
   const double distortion = (straight * own.inverse()).trace() / 3;
-  weight *= simplices_in(type) * weight_by_stretch(stretch_between(regular, own));
+  weight *= simplices_in(type) * weight_by_stretch(regular, own);
   return {volume_term(own, weight), volume_term(straight, weight * guard_weight(distortion)),
           inverse_limit(distortion)};
 }

@@ -8,63 +8,81 @@ namespace winslow {
 
 namespace {
 
-/// Positions of all rows in the order, and in the matrices of their blocks.
+/// The number of the pair of two corners of a cell in SimplexPlaces::blocks.
 template <int D>
-class RowPlaces {
+std::size_t pair_number(std::size_t from, std::size_t to) {
+  const std::size_t low = std::min(from, to), high = std::max(from, to);
+  const std::size_t pair = low * (2 * D + 1 - low) / 2 + high - low - 1;
+  return 2 * pair + (from < to ? 0 : 1);
+}
+
+/// The cells around a block of rows, with their places in the block's matrix.
+template <int D>
+struct BlockCells {
+  std::vector<Index> cells;
+  std::vector<distortion::SimplexPlaces<D>> places;
+  Index entries = 0;
+};
+
+/// Lists the cells around one block of rows after the other. Its work memory is as large as the
+/// mesh.
+template <int D>
+class BlockLister {
  public:
-  RowPlaces(const SparsityPattern& pattern, const std::vector<Index>& order)
-      : pattern_(pattern), position_(order.size()), start_{0} {
-    start_.reserve(order.size() + 1);
-    for (std::size_t p = 0; p < order.size(); ++p) {
-      const std::size_t row = at(order[p]);
-      position_[row] = static_cast<Index>(p);
-      start_.push_back(start_.back() + pattern.offsets[row + 1] - pattern.offsets[row]);
-    }
-  }
+  using Cell = typename RowBlocks<D>::Cell;
 
-  /// Number of entries of the matrix of the rows at the positions [begin, end): one unused entry,
-  /// and those of the rows.
-  Index entries(Index begin, Index end) const { return 1 + start_[at(end)] - start_[at(begin)]; }
+  BlockLister(const std::vector<Cell>& cells, std::span<const Index> row_of_node,
+              const CompressedRows& corners, const SparsityPattern& pattern)
+      : cells_(cells),
+        row_of_node_(row_of_node),
+        corners_(corners),
+        pattern_(pattern),
+        number_(cells.size(), -1),
+        entry_(at(corners.rows())) {}
 
-  /// Whether the row at position p is the first of the block that has the cell. rows: of the cell's
-  /// nodes.
-  bool meets_first(const std::array<Index, D + 1>& rows, Index p, Index begin) const {
-    return std::none_of(rows.begin(), rows.end(), [&](Index row) {
-      return row >= 0 && position_[at(row)] >= begin && position_[at(row)] < p;
-    });
-  }
-
-  /// The places of a cell in the matrix of the block with the positions [begin, end).
-  distortion::SimplexPlaces<D> in_block(const std::array<Index, D + 1>& rows, Index begin,
-                                        Index end) const {
-    const auto is_in_block = [&](Index row) {
-      return row >= 0 && position_[at(row)] >= begin && position_[at(row)] < end;
-    };
-    const auto entry = [&](Index row, Index column) {
-      if (!is_in_block(row) || column < 0) return 0;
-      return entries(begin, position_[at(row)]) + pattern_.find(row, column) -
-             pattern_.offsets[at(row)];
-    };
-    distortion::SimplexPlaces<D> places{};
-    for (std::size_t corner = 0; corner <= D; ++corner) {
-      const Index row = rows[corner];
-      places.rows[corner] = static_cast<std::uint16_t>(
-          is_in_block(row) ? position_[at(row)] - begin : RowBlocks<D>::rows_per_block);
-    }
-    std::size_t k = 0;
-    for (std::size_t first = 0; first <= D; ++first) {
-      for (std::size_t second = first + 1; second <= D; ++second) {
-        places.blocks[k++] = entry(rows[first], rows[second]);
-        places.blocks[k++] = entry(rows[second], rows[first]);
+  /// rows: of the block, in their order.
+  BlockCells<D> list(std::span<const Index> rows) {
+    BlockCells<D> out;
+    for (const Index row : rows) {
+      for (const Index corner : corners_[row]) {
+        Index& number = number_[at(corner / (D + 1))];
+        if (number >= 0) continue;
+        number = static_cast<Index>(out.cells.size());
+        out.cells.push_back(corner / (D + 1));
       }
     }
-    return places;
+    distortion::SimplexPlaces<D> outside{};
+    for (auto& row : outside.rows) row = RowBlocks<D>::rows_per_block;
+    out.places.assign(out.cells.size(), outside);
+    out.entries = 1;  // the unused one
+    for (std::size_t p = 0; p < rows.size(); ++p) place_row(p, rows[p], out);
+    for (const Index cell : out.cells) number_[at(cell)] = -1;
+    return out;
   }
 
  private:
+  /// Sets the places of a row, at position p of the block, in its cells.
+  void place_row(std::size_t p, Index row, BlockCells<D>& out) {
+    for (Index e = pattern_.offsets[at(row)]; e < pattern_.offsets[at(row) + 1]; ++e)
+      entry_[at(pattern_.columns[at(e)])] = out.entries++;
+    for (const Index corner : corners_[row]) {
+      const std::size_t cell = at(corner / (D + 1)), own = at(corner % (D + 1));
+      distortion::SimplexPlaces<D>& places = out.places[at(number_[cell])];
+      places.rows[own] = static_cast<std::uint16_t>(p);
+      for (std::size_t other = 0; other <= D; ++other) {
+        const Index column = row_of_node_[at(cells_[cell][other])];
+        if (other != own && column >= 0)
+          places.blocks[pair_number<D>(own, other)] = entry_[at(column)];
+      }
+    }
+  }
+
+  const std::vector<Cell>& cells_;
+  std::span<const Index> row_of_node_;
+  const CompressedRows& corners_;
   const SparsityPattern& pattern_;
-  std::vector<Index> position_;  // of each row in the order
-  std::vector<Index> start_;     // entries before each position
+  std::vector<Index> number_;  // #cells: in the block, or -1
+  std::vector<Index> entry_;   // #rows: that of the present row at each of its columns
 };
 
 }  // namespace
@@ -75,31 +93,22 @@ RowBlocks<D>::RowBlocks(const std::vector<Cell>& cells, std::span<const Index> r
   const CompressedRows corners = corners_of_rows(cells, row_of_node, rows);
   pattern_ = pattern_of_cells(cells, corners, row_of_node, threads);
   order_ = locality_ordering(*pattern_);
-  const RowPlaces<D> places(*pattern_, order_);
-  struct Part {
-    std::vector<Index> cells;
-    std::vector<distortion::SimplexPlaces<D>> places;
-  };
   const std::size_t blocks = block_count(rows, rows_per_block);
-  std::vector<Part> parts(blocks);
-  entries_.resize(blocks);
+  std::vector<BlockCells<D>> parts(blocks);
   const auto fill = [&](Index begin, Index end) {
-    const auto block = at(begin / rows_per_block);
-    entries_[block] = places.entries(begin, end);
-    for (Index p = begin; p < end; ++p) {
-      for (const Index corner : corners[order_[at(p)]]) {
-        const Index t = corner / (D + 1);
-        Cell rows_of_cell;
-        std::transform(cells[at(t)].begin(), cells[at(t)].end(), rows_of_cell.begin(),
-                       [&](Index node) { return row_of_node[at(node)]; });
-        if (!places.meets_first(rows_of_cell, p, begin)) continue;
-        parts[block].cells.push_back(t);
-        parts[block].places.push_back(places.in_block(rows_of_cell, begin, end));
-      }
+    BlockLister<D> lister(cells, row_of_node, corners, *pattern_);
+    for (Index first = begin; first < end; first += rows_per_block) {
+      const auto count = at(std::min(end - first, rows_per_block));
+      parts[at(first / rows_per_block)] = lister.list({order_.data() + first, count});
     }
   };
-  parallel_for(threads, rows, fill, rows_per_block);
-  for (const Part& part : parts) {
+  // Few listers, since each is as large as the mesh.
+  constexpr Index most_listers = 16;
+  const auto blocks_each = static_cast<Index>(blocks) / most_listers + 1;
+  parallel_for(threads, rows, fill, blocks_each * rows_per_block);
+  entries_.reserve(blocks);
+  for (const BlockCells<D>& part : parts) {
+    entries_.push_back(part.entries);
     cells_.insert(cells_.end(), part.cells.begin(), part.cells.end());
     places_.insert(places_.end(), part.places.begin(), part.places.end());
     cell_offsets_.push_back(static_cast<Index>(cells_.size()));

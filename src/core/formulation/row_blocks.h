@@ -40,15 +40,19 @@ template <std::size_t N>
 std::shared_ptr<SparsityPattern> pattern_of_cells(const std::vector<std::array<Index, N>>& cells,
                                                   const CompressedRows& corners,
                                                   std::span<const Index> row_of_node, int threads) {
-  const auto list = [&](Index row, std::vector<Index>& columns) {
-    columns.assign(1, row);
-    for (const Index corner : corners[row])
-      for (const Index node : cells[at(corner) / N])
-        if (const Index other = row_of_node[at(node)]; other >= 0) columns.push_back(other);
-    std::ranges::sort(columns);
-    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+  const auto begin_block = [&] {
+    // seen[r]: the row that listed row r last
+    return [&, seen = std::vector<Index>(at(corners.rows()), -1)](
+               Index row, std::vector<Index>& columns) mutable {
+      const auto add = [&](Index other) {
+        if (other >= 0 && std::exchange(seen[at(other)], row) != row) columns.push_back(other);
+      };
+      add(row);
+      for (const Index corner : corners[row])
+        for (const Index node : cells[at(corner) / N]) add(row_of_node[at(node)]);
+    };
   };
-  return build_pattern(corners.rows(), parallel_block, threads, [&] { return list; });
+  return build_pattern(corners.rows(), parallel_block, threads, begin_block);
 }
 
 /// The free nodes (rows) in spatially compact blocks, with the cells (triangles in the plane,

@@ -43,10 +43,10 @@ struct SimplexData {
 
 /// Storage layout. A cell's sum over its terms: for each pair of nodes in lexicographic order, the
 /// D by D block (row-major) in the earlier node's row at the later node. From `corners` on, each
-/// node has `corner` numbers: the gradient and the length of the edges there. A row's sum over its
-/// cells: the diagonal block, and from `gradient` on the same as for a corner. Without a Hessian, a
-/// cell has slim_sum numbers, slim_corner per node: those of a corner and the trace of the node's
-/// diagonal block.
+/// node has `corner` numbers: in the plane the gradient and the length of the edges there; in space
+/// the same as a row. A row's sum over its cells: the diagonal block, and from `gradient` on the
+/// gradient and the length. Without a Hessian, a cell has slim_sum numbers: for each node the
+/// gradient and the length, and from slim_traces on the traces of the nodes' diagonal blocks.
 template <int D>
 struct SimplexLayout;
 
@@ -60,8 +60,8 @@ struct SimplexLayout<2> {
 template <>
 struct SimplexLayout<3> {
   static constexpr std::ptrdiff_t term = 8;  ///< metric 11, 12, 13, 22, 23, 33, weight, unused
-  static constexpr std::ptrdiff_t corners = 54, corner = 4, sum = 72;
-  static constexpr std::ptrdiff_t slim_corner = 5, slim_sum = 20;
+  static constexpr std::ptrdiff_t corners = 56, corner = 16, sum = 120;
+  static constexpr std::ptrdiff_t slim_corner = 4, slim_traces = 16, slim_sum = 20;
   static constexpr std::ptrdiff_t scalar_sum = 6;
   static constexpr std::ptrdiff_t gradient = 12, row = 16;
 };

@@ -5,6 +5,7 @@
 #include "core/formulation/box_field.h"
 #include "core/formulation/target_metric.h"
 #include "core/mesh/element_type.h"
+#include "core/mesh/node_stars.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/metric.h"
 
@@ -15,6 +16,7 @@ namespace {
 constexpr double inverted = std::numeric_limits<double>::quiet_NaN();
 constexpr double unknown = -1;           // a stretch is not negative
 constexpr double stretched_from = 0.45;  // median of s above which simplices keep shares
+constexpr double twice_as_long = 0.35;   // s
 
 double rising_step(double value, double low, double high) {
   const double t = std::clamp((value - low) / (high - low), 0.0, 1.0);
@@ -46,52 +48,75 @@ double face_stretch(std::span<const Index> nodes, const Coordinates& coordinates
   return 0.5 * stretch_between(TargetMetric::of_angle(pi / 2), TargetMetric::of(p, q));
 }
 
+/// The edges of a corner from its first node.
+Edges3 edges_of(const std::array<Index, 4>& corner, const SpacePoints& x) {
+  Edges3 edges;
+  for (int i = 0; i < 3; ++i) edges.col(i) = x[corner[at(i + 1)]] - x[corner[0]];
+  return edges;
+}
+
 /// The same for a volume element; NaN also if it is flat.
 double cell_stretch(ElementType type, std::span<const Index> nodes, const SpacePoints& x) {
   double sum = 0;
   const auto corners = corner_tetrahedra(type);
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const auto corner = by_nodes(corners[k], nodes);
-    Edges3 edges;
-    for (int i = 0; i < 3; ++i) edges.col(i) = x[corner[at(i + 1)]] - x[corner[0]];
+    const Edges3 edges = edges_of(by_nodes(corners[k], nodes), x);
     if (!has_metric(edges)) return inverted;
     sum += stretch_between(regular_metrics(type)[k], volume_metric(edges));
   }
   return 0.5 * sum / static_cast<double>(corners.size());
 }
 
-/// Finds the median stretch around single elements.
-class Neighbourhood {
+/// The elements around nodes. Those of a volume mesh are counted along a curve, so that what is
+/// stored for neighbours lies in the same caches.
+class Surroundings {
  public:
-  Neighbourhood(const Topology& topology, const std::vector<double>& stretch)
-      : topology_(topology), stretch_(stretch), seen_from_(stretch.size(), -1) {}
+  Surroundings(const Topology& topology, const Coordinates& x) : topology_(topology) {
+    if (topology.kind() != MeshKind::volume) return;
+    const SpacePoints points(x);
+    Box<3> box = Box<3>::empty();
+    for (Index node = 0; node < topology.node_count(); ++node) box.add(points[node]);
+    order_.emplace(points, topology.node_count(), box, topology.elements());
+    stars_ = star_rows(order_->corners, topology.node_count());
+  }
 
-  /// Median stretch of the surrounding elements of the same type, including the element itself; NaN
-  /// if a surrounding element of any type is inverted; `unknown` if the median is at most `least`,
-  /// which is faster to detect.
-  double median(Index e, double least = -1) {
-    found_.clear();
-    std::size_t above = 0;
-    for (const Index node : topology_.element(e)) {
-      for (const Index other : topology_.star(node)) {
-        if (std::exchange(seen_from_[at(other)], e) == e) continue;
-        if (std::isnan(stretch_[at(other)])) return inverted;
-        if (topology_.element_type(other) != topology_.element_type(e)) continue;
-        found_.push_back(stretch_[at(other)]);
-        above += found_.back() > least ? 1 : 0;
-      }
-    }
-    if (2 * above < found_.size()) return unknown;
-    const auto middle = found_.begin() + static_cast<std::ptrdiff_t>((found_.size() - 1) / 2);
-    std::nth_element(found_.begin(), middle, found_.end());
-    return *middle;
+  /// The element of the mesh at a place of the order.
+  Index element(Index place) const { return order_ ? order_->elements[at(place)] : place; }
+  /// Nodes of the element at a place, by numbers of the order.
+  std::span<const Index> nodes(Index place) const {
+    return order_ ? order_->corners[place] : topology_.element(place);
+  }
+  /// Places of the elements around a node of the order.
+  std::span<const Index> star(Index node) const {
+    return order_ ? stars_[node] : topology_.star(node);
   }
 
  private:
   const Topology& topology_;
-  const std::vector<double>& stretch_;
-  std::vector<Index> seen_from_;  // #elements: the element around which each was visited last
-  std::vector<double> found_;
+  std::optional<CurveOrder> order_;  // of volume meshes
+  CompressedRows stars_;
+};
+
+/// Visits the elements around single elements.
+class Neighbourhood {
+ public:
+  std::vector<double> found;  ///< work memory of visits
+
+  Neighbourhood(const Surroundings& around, std::size_t elements)
+      : around_(around), seen_from_(elements, -1) {}
+
+  /// Calls visit(place) for each element with a node of the element at a place, that one included.
+  template <typename Visit>
+  void for_each(Index place, const Visit& visit) {
+    for (const Index node : around_.nodes(place)) {
+      for (const Index other : around_.star(node))
+        if (std::exchange(seen_from_[at(other)], place) != place) visit(other);
+    }
+  }
+
+ private:
+  const Surroundings& around_;
+  std::vector<Index> seen_from_;  // #elements: the place around which each was visited last
 };
 
 class Field {
@@ -101,20 +126,23 @@ class Field {
       : topology_(topology),
         given_(given),
         threads_(threads),
-        stretch_(at(topology.element_count())) {
+        around_(topology, given),
+        stretch_(at(topology.element_count())),
+        exact_(stretch_.size(), 1) {
     for (Index e = 1; e < topology.element_count(); ++e)
       is_of_one_type_ &= topology.element_type(e) == topology.element_type(0);
     for_each_element([&](Index e) {
       const auto nodes = topology_.element(e);
       const ElementType type = topology_.element_type(e);
       const Vec3 normal = normals.empty() ? Vec3::UnitZ() : normals[at(e)];
-      stretch_[at(e)] = corner_tetrahedra(type).empty()
-                            ? face_stretch(nodes, given, normal)
-                            : cell_stretch(type, nodes, SpacePoints(given));
+      if (corner_tetrahedra(type).empty())
+        stretch_[at(e)] = face_stretch(nodes, given, normal);
+      else
+        set_cell_stretch(e);
     });
   }
 
-  StretchField build() const {
+  StretchField build() {
     StretchField field;
     field.share.assign(stretch_.size(), 0.0);
     field.longest.assign(stretch_.size(), 0.0);
@@ -122,17 +150,15 @@ class Field {
     field.stiffness.assign(stretch_.size(), 1.0);
     if (tangled()) return field;
     std::vector<double>& around = field.longest;
-    const std::vector<Index> stretched_at = count_stretched();
-    for_each_neighbourhood([&](Index e, Neighbourhood& near) {
-      around[at(e)] = may_be_stretched(e, stretched_at)
-                          ? near.median(e, is_simplex(e) ? stretched_from : -1)
-                          : unknown;
-      field.share[at(e)] = share_by_neighbours(e, around[at(e)]);
-    });
+    find_medians(around);
+    for_each_element([&](Index e) { field.share[at(e)] = share_by_neighbours(e, around[at(e)]); });
     straighten_rough_grids(field);
     constexpr int rows = 3;
     for (int row = 0; row < rows; ++row) spread(field.share);
-    for_each_neighbourhood([&](Index e, Neighbourhood& near) { finish(e, near, field); });
+    for_each_element([&](Index e) { hold_wall(e, field); });
+    set_medians(around,
+                [&](Index e) { return field.share[at(e)] > 0 && around[at(e)] == unknown; });
+    for_each_element([&](Index e) { finish(e, field); });
     field.stretched = stretched_part(field);
     return field;
   }
@@ -145,17 +171,134 @@ class Field {
     });
   }
 
-  /// The same with a Neighbourhood, which is as large as the mesh: therefore uses few blocks of
-  /// elements.
+  /// The same with the place of each element in the order, and with a Neighbourhood, which is as
+  /// large as the mesh: therefore uses few blocks of elements.
   template <class Visit>
   void for_each_neighbourhood(Visit&& visit) const {
     constexpr Index most_blocks = 16;
     const auto run = [&](Index begin, Index end) {
-      Neighbourhood near(topology_, stretch_);
-      for (Index e = begin; e < end; ++e) visit(e, near);
+      Neighbourhood near(around_, stretch_.size());
+      for (Index place = begin; place < end; ++place) visit(place, near);
     };
     const Index n = topology_.element_count();
     parallel_for(threads_, n, run, std::max(parallel_block, n / most_blocks + 1));
+  }
+
+  /// The stretch of a volume element. That of a tetrahedron is found quickly unless it is near a
+  /// limit: then only limits can be compared with it, until make_exact().
+  void set_cell_stretch(Index e) {
+    const ElementType type = topology_.element_type(e);
+    const SpacePoints x(given_);
+    double& s = stretch_[at(e)];
+    if (type == ElementType::tetrahedron) {
+      const Edges3 edges =
+          edges_of(by_nodes(corner_tetrahedra(type).front(), topology_.element(e)), x);
+      s = has_metric(edges)
+              ? 0.5 * quick_stretch(regular_factors(type).front(), volume_metric(edges))
+              : inverted;
+      const auto decides = [&](double limit) { return !(std::abs(s - limit) <= stretch_error); };
+      exact_[at(e)] = std::isnan(s) ? 1 : 0;
+      if (std::isnan(s) || (decides(stretched_from) && decides(twice_as_long))) return;
+    }
+    make_exact(e);
+  }
+  void make_exact(Index e) {
+    stretch_[at(e)] =
+        cell_stretch(topology_.element_type(e), topology_.element(e), SpacePoints(given_));
+    exact_[at(e)] = 1;
+  }
+
+  /// Finds for each element the median stretch of the surrounding elements of the same type,
+  /// including the element itself: NaN if a surrounding element of any type is inverted; of a
+  /// simplex `unknown` if the median is at most `stretched_from`, which is faster to detect, and
+  /// true of most elements of most meshes.
+  void find_medians(std::vector<double>& around) {
+    constexpr double to_do = -2;
+    const std::vector<Index> stretched_at = count_stretched();
+    const std::vector<unsigned char> sizes = sizes_by_place();
+    const bool all_exact = std::ranges::find(exact_, 0) == exact_.end();
+    for_each_neighbourhood([&](Index place, Neighbourhood& near) {
+      const Index e = around_.element(place);
+      double& median = around[at(e)];
+      if (!may_be_stretched(e, stretched_at))
+        median = unknown;
+      else if (all_exact)
+        median = median_around(place, near, is_simplex(e) ? stretched_from : -1);
+      else
+        median = is_simplex(e) ? compare_median(place, near, sizes, to_do) : to_do;
+    });
+    set_medians(around, [&](Index e) { return around[at(e)] == to_do; });
+  }
+
+  /// For each place whether the stretch is above `stretched_from`, or NaN: what compare_median()
+  /// counts, packed so that it stays in the caches.
+  enum Size : unsigned char { low, high, lost };
+  std::vector<unsigned char> sizes_by_place() const {
+    std::vector<unsigned char> sizes(stretch_.size());
+    for_each_element([&](Index place) {
+      const double s = stretch_[at(around_.element(place))];
+      sizes[at(place)] = std::isnan(s) ? lost : s > stretched_from ? high : low;
+    });
+    return sizes;
+  }
+
+  /// NaN and `unknown` as find_medians(), and `larger` for a larger median.
+  double compare_median(Index place, Neighbourhood& near, std::span<const unsigned char> sizes,
+                        double larger) const {
+    const ElementType type = topology_.element_type(around_.element(place));
+    std::size_t above = 0, all = 0;
+    bool spoilt = false;
+    near.for_each(place, [&](Index other) {
+      spoilt |= sizes[at(other)] == lost;
+      if (!is_of_one_type_ && topology_.element_type(around_.element(other)) != type) return;
+      ++all;
+      above += sizes[at(other)] == high ? 1 : 0;
+    });
+    if (spoilt) return inverted;
+    return 2 * above < all ? unknown : larger;
+  }
+
+  /// Sets the medians of the elements for which wanted(e) is true.
+  template <typename Wanted>
+  void set_medians(std::vector<double>& around, const Wanted& wanted) {
+    std::vector<unsigned char> beside(at(topology_.node_count()), 0);
+    bool any = false;
+    for (Index e = 0; e < topology_.element_count(); ++e) {
+      if (!wanted(e)) continue;
+      any = true;
+      for (const Index node : topology_.element(e)) beside[at(node)] = 1;
+    }
+    if (!any) return;
+    for_each_element([&](Index e) {
+      const auto is_beside = [&](Index node) { return beside[at(node)] != 0; };
+      if (exact_[at(e)] == 0 && std::ranges::any_of(topology_.element(e), is_beside)) make_exact(e);
+    });
+    for_each_neighbourhood([&](Index place, Neighbourhood& near) {
+      const Index e = around_.element(place);
+      if (wanted(e)) around[at(e)] = median_around(place, near);
+    });
+  }
+
+  /// The median around an element, of which all stretches are exact, as find_medians(); `unknown`
+  /// if it is at most `least`.
+  double median_around(Index place, Neighbourhood& near, double least = -1) const {
+    const ElementType type = topology_.element_type(around_.element(place));
+    std::vector<double>& found = near.found;
+    found.clear();
+    std::size_t above = 0;
+    bool spoilt = false;
+    near.for_each(place, [&](Index other) {
+      const Index e = around_.element(other);
+      spoilt |= std::isnan(stretch_[at(e)]);
+      if (topology_.element_type(e) != type) return;
+      found.push_back(stretch_[at(e)]);
+      above += found.back() > least ? 1 : 0;
+    });
+    if (spoilt) return inverted;
+    if (2 * above < found.size()) return unknown;
+    const auto middle = found.begin() + static_cast<std::ptrdiff_t>((found.size() - 1) / 2);
+    std::nth_element(found.begin(), middle, found.end());
+    return *middle;
   }
 
   bool is_triangle(Index e) const { return topology_.element_type(e) == ElementType::triangle; }
@@ -228,11 +371,9 @@ class Field {
 
   /// Completes the field from the spread shares and the surrounding stretch, which field.longest
   /// holds.
-  void finish(Index e, Neighbourhood& near, StretchField& field) const {
+  void finish(Index e, StretchField& field) const {
     double& share = field.share[at(e)];
     double& longest = field.longest[at(e)];
-    hold_wall(e, field);
-    if (share > 0 && longest == unknown) longest = near.median(e);
     if (std::isnan(longest)) {
       share = longest = 0;
       field.weight[at(e)] = 1;
@@ -296,7 +437,6 @@ class Field {
   }
 
   double stretched_part(const StretchField& field) const {
-    constexpr double twice_as_long = 0.35;
     std::size_t count = 0;
     for (Index e = 0; e < topology_.element_count(); ++e) {
       const double own = stretch_[at(e)];
@@ -329,8 +469,10 @@ class Field {
   const Topology& topology_;
   const Coordinates& given_;
   int threads_;
+  Surroundings around_;
   bool is_of_one_type_ = true;
-  std::vector<double> stretch_;  // #elements
+  std::vector<double> stretch_;       // #elements
+  std::vector<unsigned char> exact_;  // #elements: whether the stretch is more than a comparison
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "core/formulation/stretch_field.h"
 #include "core/formulation/target_metric.h"
 #include "core/formulation/target_shapes.h"
+#include "core/parallel/parallel_for.h"
 #include "core/problem/node_classes.h"
 
 /// The base of the classes that build targets: of faces (target_shapes.cpp) and of volume elements
@@ -21,6 +22,7 @@ class TargetBuilder {
       : topology_(topology),
         blend_(normalized(blend)),
         classes_(classes),
+        threads_(threads),
         wall_stretch_(blend_.keep > 0 ? details.wall_stretch : nullptr),
         roles_(details.roles) {
     require_role_of_each(roles_, topology);
@@ -76,16 +78,15 @@ class TargetBuilder {
   template <class HasShape>
   Index find_lost(const HasShape& has_shape) {
     constexpr double most = 0.05;
-    Index count = 0;
-    lost_.assign(at(topology_.element_count()), false);
-    for (Index e = 0; e < topology_.element_count(); ++e) {
-      lost_[at(e)] = !has_shape(e);
-      count += lost_[at(e)] ? 1 : 0;
-    }
-    if (count > most * static_cast<double>(lost_.size())) lost_.assign(lost_.size(), true);
+    lost_.assign(at(topology_.element_count()), 0);
+    parallel_for(threads_, topology_.element_count(), [&](Index begin, Index end) {
+      for (Index e = begin; e < end; ++e) lost_[at(e)] = has_shape(e) ? 0 : 1;
+    });
+    const auto count = static_cast<Index>(std::ranges::count(lost_, 1));
+    if (count > most * static_cast<double>(lost_.size())) lost_.assign(lost_.size(), 1);
     return count;
   }
-  bool is_lost(Index e) const { return lost_[at(e)]; }
+  bool is_lost(Index e) const { return lost_[at(e)] != 0; }
   [[noreturn]] static void refuse_rest(Index e, const char* fault) {
     throw MeshError(MeshEntity::element, e,
                     "element " + std::to_string(e) + " is " + fault +
@@ -95,12 +96,13 @@ class TargetBuilder {
   const Topology& topology_;
   const TargetBlend blend_;
   const NodeClasses* classes_;  // null: nothing slides
+  const int threads_;
 
  private:
   const WallStretch* wall_stretch_;  // null: no wall is stretched
   const ElementRoles* roles_;        // null: all ordinary
   StretchField stretch_;             // if the blend has an `automatic` share
-  std::vector<bool> lost_;           // #elements, under `keep`: it has no shape of its own
+  std::vector<unsigned char> lost_;  // #elements, under `keep`: it has no shape of its own
 };
 
 }  // namespace winslow

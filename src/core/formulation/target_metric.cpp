@@ -34,9 +34,33 @@ const std::vector<Eigen::Matrix3d>& regular_metrics(ElementType type) {
   return lists[static_cast<std::size_t>(type)];
 }
 
+const std::vector<Eigen::Matrix3d>& regular_factors(ElementType type) {
+  static const auto lists = table_by_type([](ElementType of) {
+    std::vector<Eigen::Matrix3d> list;
+    for (const Eigen::Matrix3d& metric : regular_metrics(of))
+      list.push_back(metric.llt().matrixL());
+    return list;
+  });
+  return lists[static_cast<std::size_t>(type)];
+}
+
 const std::vector<Eigen::Matrix3d>& regular_edge_metrics(ElementType type) {
   static const auto lists = make_all(edge_tetrahedra);
   return lists[static_cast<std::size_t>(type)];
+}
+
+double quick_stretch(const Eigen::Matrix3d& lower, const Eigen::Matrix3d& metric) {
+  Eigen::Matrix3d c = relative_metric(lower, metric);
+  const double mean = c.trace() / 3;
+  c.diagonal().array() -= mean;
+  // The eigenvalues are mean + 2 root cos(angle + 2 pi k / 3).
+  const double root = std::sqrt(c.squaredNorm() / 6);
+  if (!(root > 0)) return 0;
+  const double cosine = c.determinant() / (2 * root * root * root);
+  const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) / 3;
+  const double least = mean + 2 * root * std::cos(angle + 2 * pi / 3);
+  const double largest = mean + 2 * root * std::cos(angle);
+  return least > 0 ? 0.5 * std::log(largest / least) : std::numeric_limits<double>::infinity();
 }
 
 namespace {
@@ -58,23 +82,29 @@ Eigen::Matrix3d in_edges(std::size_t choice) {
   return columns;
 }
 
-/// The metric with the given edge lengths, if one edge is at right angles to both others
-/// (all_right: if all three are at right angles).
-std::optional<Eigen::Matrix3d> with_lengths(const Eigen::Matrix3d& metric, const Vec3& lengths,
-                                            bool all_right) {
+/// The edge of a metric that is at right angles to both others (all_right: if all three are).
+std::optional<int> right_edge(const Eigen::Matrix3d& metric, bool all_right) {
   const auto right = [&](int k, int l) {
     return std::abs(metric(k, l)) <= round_off * std::sqrt(metric(k, k) * metric(l, l));
   };
-  const Eigen::Matrix3d gram = metric.inverse();
-  Vec3 scale = lengths.cwiseQuotient(gram.diagonal().cwiseSqrt());
   for (int k = 0; k < 3; ++k) {
     const int l = (k + 1) % 3, m = (k + 2) % 3;
-    if (!right(k, l) || !right(k, m) || (all_right && !right(l, m))) continue;
-    if (!right(l, m)) scale[l] = scale[m] = std::sqrt(scale[l] * scale[m]);
-    const Vec3 inverse = scale.cwiseInverse();
-    return normalized_metric(inverse.asDiagonal() * metric * inverse.asDiagonal());
+    if (right(k, l) && right(k, m) && (!all_right || right(l, m))) return k;
   }
   return std::nullopt;
+}
+
+/// The metric with the given edge lengths, if it has a right_edge().
+std::optional<Eigen::Matrix3d> with_lengths(const Eigen::Matrix3d& metric, const Vec3& lengths,
+                                            bool all_right) {
+  const auto edge = right_edge(metric, all_right);
+  if (!edge) return std::nullopt;
+  const int l = (*edge + 1) % 3, m = (*edge + 2) % 3;
+  const Eigen::Matrix3d gram = metric.inverse();
+  Vec3 scale = lengths.cwiseQuotient(gram.diagonal().cwiseSqrt());
+  if (!right_edge(metric, true)) scale[l] = scale[m] = std::sqrt(scale[l] * scale[m]);
+  const Vec3 inverse = scale.cwiseInverse();
+  return normalized_metric(inverse.asDiagonal() * metric * inverse.asDiagonal());
 }
 
 template <int S>
@@ -118,6 +148,7 @@ TargetMetric with_lengths_of(const TargetMetric& own, const TargetMetric& regula
 }
 
 Eigen::Matrix3d with_lengths_of(const Eigen::Matrix3d& own, const Eigen::Matrix3d& regular) {
+  if (!right_edge(regular, false)) return regular;
   const Vec3 lengths = own.inverse().diagonal().cwiseSqrt();
   for (const bool all_right : {true, false})
     if (const auto scaled = with_lengths(regular, lengths, all_right)) return *scaled;

@@ -105,6 +105,17 @@ double TargetForm<D>::sum_energy(const distortion::SimplexData& cells) const {
 }
 
 template <int D>
+double TargetForm<D>::largest_of_cells(const std::function<double(std::size_t)>& of_cell) const {
+  const auto n = static_cast<Index>(shapes_->cells.size());
+  std::vector<double> largest(block_count(n), 0.0);
+  parallel_for(this->threads(), n, [&](Index begin, Index end) {
+    double& of_block = largest[at(begin / parallel_block)];
+    for (Index t = begin; t < end; ++t) of_block = std::max(of_block, of_cell(at(t)));
+  });
+  return largest.empty() ? 0 : *std::ranges::max_element(largest);
+}
+
+template <int D>
 Index TargetForm<D>::stuck_nodes() const {
   return static_cast<Index>(std::ranges::count(stuck_, true));
 }

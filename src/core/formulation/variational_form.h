@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 
 #include "core/formulation/cell_targets.h"
 #include "core/formulation/simplex_kernel.h"
@@ -182,21 +183,24 @@ class TargetForm : public VariationalForm {
                                const Regularisation* regularisation) const;
   /// The energy of all cells.
   double sum_energy(const distortion::SimplexData& cells) const;
+  /// The largest of some numbers of all cells, not negative.
+  double largest_of_cells(const std::function<double(std::size_t)>& of_cell) const;
   /// worst() for derived classes. corner(cell): its Corner.
   template <typename CornerOf>
   double worst_of(const CornerOf& corner, bool of_guards) const {
-    double worst = 0;
-    for (std::size_t t = 0; t < shapes_->cells.size(); ++t) {
-      const auto of_cell = corner(t);
+    const auto of_cell = [&](std::size_t t) {
+      double worst = 0;
+      const auto seen = corner(t);
       for (auto k = at(shapes_->offsets[t]); k < at(shapes_->offsets[t + 1]); ++k) {
-        const double f = of_cell.distortion(shapes_->terms[k]);
+        const double f = seen.distortion(shapes_->terms[k]);
         if (!(f > 0)) return std::numeric_limits<double>::infinity();
         const double inverse_limit = shapes_->inverse_limit(k);
         if ((inverse_limit > 0) == of_guards)
           worst = std::max(worst, of_guards ? f * inverse_limit : f);
       }
-    }
-    return worst;
+      return worst;
+    };
+    return largest_of_cells(of_cell);
   }
   const distortion::SimplexKernel<D>& kernel() const { return kernel_; }
   distortion::PenaltyFunction psi() const {

@@ -19,20 +19,28 @@ using Layout = distortion::SimplexLayout<D>;
 
 /// Targets in the order of `old_number`.
 template <int D>
-CellTargets<D> reordered(const CellTargets<D>& shapes, const std::vector<Index>& old_number) {
+CellTargets<D> reordered(const CellTargets<D>& shapes, const std::vector<Index>& old_number,
+                         int threads) {
   CellTargets<D> out;
   out.stretched = shapes.stretched;
-  out.cells.reserve(old_number.size());
-  out.terms.reserve(shapes.terms.size());
-  for (const Index t : old_number) {
-    out.cells.push_back(shapes.cells[at(t)]);
-    const auto terms = shapes.terms_of(at(t));
-    out.terms.insert(out.terms.end(), terms.begin(), terms.end());
-    if (!shapes.inverse_limits.empty())
-      for (auto k = at(shapes.offsets[at(t)]); k < at(shapes.offsets[at(t) + 1]); ++k)
-        out.inverse_limits.push_back(shapes.inverse_limits[k]);
-    out.offsets.push_back(static_cast<Index>(out.terms.size()));
-  }
+  out.offsets.reserve(old_number.size() + 1);
+  for (const Index t : old_number)
+    out.offsets.push_back(out.offsets.back() + static_cast<Index>(shapes.terms_of(at(t)).size()));
+  out.cells.resize(old_number.size());
+  out.terms.resize(at(out.offsets.back()));
+  if (!shapes.inverse_limits.empty()) out.inverse_limits.resize(out.terms.size());
+  parallel_for(threads, static_cast<Index>(old_number.size()), [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i) {
+      const std::size_t t = at(old_number[at(i)]);
+      out.cells[at(i)] = shapes.cells[t];
+      const Index first = out.offsets[at(i)];
+      std::ranges::copy(shapes.terms_of(t), out.terms.begin() + first);
+      if (out.inverse_limits.empty()) continue;
+      std::copy(shapes.inverse_limits.begin() + shapes.offsets[t],
+                shapes.inverse_limits.begin() + shapes.offsets[t + 1],
+                out.inverse_limits.begin() + first);
+    }
+  });
   return out;
 }
 
@@ -67,7 +75,7 @@ void project(const CellTargets<2>& shapes, const double* x, const PenaltyFunctio
 /// Work memory for the sums of one block of rows.
 template <int D>
 struct SimplexWinslow<D>::BlockMemory {
-  static constexpr std::size_t chunk = 64;  // cells whose sums stay in the fast caches
+  static constexpr std::size_t chunk = D == 2 ? 64 : 32;  // cells whose sums stay in fast caches
   static constexpr std::size_t row_count = at(RowBlocks<D>::rows_per_block) + 1;
   std::vector<double> sums = std::vector<double>(chunk * Layout<D>::sum);
   std::vector<double> rows = std::vector<double>(row_count * Layout<D>::row);
@@ -85,10 +93,10 @@ SimplexWinslow<D>::Pattern::Pattern(std::shared_ptr<const NodeClasses> classes,
 template <int D>
 SimplexWinslow<D>::SimplexWinslow(const Pattern& pattern, const Targets& shapes,
                                   const PenaltyOptions& penalty)
-    : TargetForm<D>(
-          pattern.nodes,
-          std::make_shared<const Targets>(reordered(shapes, pattern.structure->shape_order)),
-          penalty),
+    : TargetForm<D>(pattern.nodes,
+                    std::make_shared<const Targets>(
+                        reordered(shapes, pattern.structure->shape_order, pattern.nodes.threads())),
+                    penalty),
       structure_(pattern.structure) {
   this->node_unknowns().require_held_boundary("the variational form");
 }

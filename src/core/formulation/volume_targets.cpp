@@ -18,7 +18,6 @@ class VolumeTargets : TargetBuilder {
                       {details.roles, details.wall_stretch}),
         vcvs_(vcvs),
         stencils_(details.stencils),
-        threads_(threads),
         guarded_(details.guarded) {
     if (blend_.vcv > 0 && !vcvs) throw UsageError("targets that refer to no VCVs");
     if (refers_to_given(blend)) given_.emplace(*given);
@@ -26,6 +25,10 @@ class VolumeTargets : TargetBuilder {
   }
 
   CellTargets<3> build() {
+    regular_terms_ = make_regular_terms();
+    targets_.cells.reserve(at(topology_.element_count()));
+    targets_.offsets.reserve(at(topology_.element_count()) + 1);
+    origins_.reserve(at(topology_.element_count()));
     if (keeps()) targets_.without_shape = find_lost([&](Index e) { return has_shape(e); });
     for (Index e = 0; e < topology_.element_count(); ++e) list_element(e);
     targets_.terms.resize(at(targets_.offsets.back()));
@@ -49,7 +52,7 @@ class VolumeTargets : TargetBuilder {
   bool has_shape(Index e) const {
     return std::ranges::all_of(
         corner_tetrahedra(topology_.element_type(e)), [&](const auto& corner) {
-          return own_metric(e, by_nodes(corner, topology_.element(e))).has_value();
+          return has_metric(own_edges(e, by_nodes(corner, topology_.element(e))));
         });
   }
   bool free(Index node) const { return !topology_.on_boundary(node); }
@@ -120,6 +123,11 @@ class VolumeTargets : TargetBuilder {
       fill_kept(cell, regular);
       return;
     }
+    if (is_regular(e)) {
+      *term = regular_terms_[static_cast<std::size_t>(type)][at(corner)];
+      term->weight = weight;
+      return;
+    }
     const Eigen::Matrix3d common = common_part(e, corner, regular, nodes);
     const auto at_node = [&](std::size_t k, double share) {
       const double vcv = vcv_share(e, nodes[k]);
@@ -139,6 +147,27 @@ class VolumeTargets : TargetBuilder {
     // Boundary nodes have no VCV.
     const Eigen::Matrix3d sum = common + blend_.vcv * regular;
     *term = volume_term(normalized_metric(sum), weight);
+  }
+
+  /// Whether the targets of an element are regular: those of most elements under `automatic`.
+  bool is_regular(Index e) const {
+    if (blend_.vcv > 0 || blend_.rest > 0 || stencils_) return false;
+    return !(blend_.automatic > 0) || (!has_own_share(e) && !box(e));
+  }
+  /// The terms of regular targets by element type, as fill() makes them, in the order of
+  /// Origin::corner, without weights.
+  std::array<std::vector<VolumeTerm>, all_element_types.size()> make_regular_terms() const {
+    return table_by_type([&](ElementType type) {
+      std::vector<VolumeTerm> terms;
+      for (const auto* metrics : {&regular_metrics(type), &regular_edge_metrics(type)}) {
+        for (const Eigen::Matrix3d& regular : *metrics) {
+          Eigen::Matrix3d sum = blend_.element * regular;
+          if (given_ && blend_.automatic > 0) sum += blend_.automatic * regular;
+          terms.push_back(volume_term(normalized_metric(sum + blend_.vcv * regular), 0));
+        }
+      }
+      return terms;
+    });
   }
 
   /// The terms of a cell under `keep`.
@@ -218,17 +247,21 @@ class VolumeTargets : TargetBuilder {
   /// Metric of a corner in the mesh as given, with the stretch of a wall under it; none if it is
   /// inverted or flat.
   std::optional<Eigen::Matrix3d> own_metric(Index e, const std::array<Index, 4>& nodes) const {
+    const Edges3 edges = own_edges(e, nodes);
+    if (!has_metric(edges)) return std::nullopt;
+    return volume_metric(edges);
+  }
+  Edges3 own_edges(Index e, const std::array<Index, 4>& nodes) const {
     Edges3 edges;
     for (int k = 0; k < 3; ++k)
       edges.col(k) = with_wall(e, (*given_)[nodes[at(k + 1)]] - (*given_)[nodes[0]]);
-    if (!has_metric(edges)) return std::nullopt;
-    return volume_metric(edges);
+    return edges;
   }
 
   const VolumeVcvs* vcvs_;
   const SphereStencils* stencils_;  // null: none
-  int threads_;
   std::span<const Index> guarded_;
+  std::array<std::vector<VolumeTerm>, all_element_types.size()> regular_terms_;
   std::vector<Origin> origins_;       // of each cell
   std::optional<SpacePoints> given_;  // if the blend refers to it
   CellTargets<3> targets_;

@@ -202,9 +202,10 @@ class NeighbourRows {
 
   void find(Index begin, Index end) {
     std::vector<Index>& values = found_[at(begin / parallel_block)];
+    std::vector<Index> seen(stars_.order.nodes.size(), -1);  // the last node that had each
     for (Index k = begin; k < end; ++k) {
       const std::size_t before = values.size();
-      add_neighbours(k, values);
+      add_neighbours(k, seen, values);
       const auto own = values.begin() + static_cast<std::ptrdiff_t>(before);
       for (auto it = own; it != values.end(); ++it) *it = node(*it);
       std::sort(own, values.end());
@@ -213,15 +214,19 @@ class NeighbourRows {
   }
 
   /// Adds each neighbour once, by its number in the order.
-  void add_neighbours(Index k, std::vector<Index>& values) const {
-    const auto begin = static_cast<std::ptrdiff_t>(values.size());
+  void add_neighbours(Index k, std::vector<Index>& seen, std::vector<Index>& values) const {
     for (const Index e : stars_.elements[k]) {
       const auto corners = stars_.order.corners[e];
-      for (const Index c : shape_of(stars_.types[at(e)]).links[index_of(corners, k)]) {
-        const Index other = corners[at(c)];
-        if (std::find(values.begin() + begin, values.end(), other) == values.end())
-          values.push_back(other);
+      const auto add = [&](Index other) {
+        if (std::exchange(seen[at(other)], k) != k) values.push_back(other);
+      };
+      if (stars_.types[at(e)] == ElementType::tetrahedron) {
+        for (const Index other : corners)
+          if (other != k) add(other);
+        continue;
       }
+      for (const Index c : shape_of(stars_.types[at(e)]).links[index_of(corners, k)])
+        add(corners[at(c)]);
     }
   }
 
@@ -268,84 +273,101 @@ Box<3> box_around(const Coordinates& coordinates) {
   return box;
 }
 
-/// The faces of an element at one of its corners, by the numbers of corners.
-const std::vector<Face>& faces_at(ElementType type, std::size_t corner) {
+/// The faces of an element at one of its corners, by their numbers.
+const std::vector<Index>& faces_at(ElementType type, std::size_t corner) {
   static const auto all = table_by_type([](ElementType of) {
-    std::vector<std::vector<Face>> at_corners(at(corner_count(of)));
-    for (const Face& face : shape_of(of).faces)
-      for (const Index k : face) at_corners[at(k)].push_back(face);
+    std::vector<std::vector<Index>> at_corners(at(corner_count(of)));
+    const auto faces = shape_of(of).faces;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (const Index k : faces[f]) at_corners[at(k)].push_back(static_cast<Index>(f));
     return at_corners;
   });
   return all[static_cast<std::size_t>(type)][corner];
 }
 
-/// A hash table of the faces at one node and of the elements that they belong to.
-class FaceTable {
- public:
-  /// Empties the table. sides: an upper bound for the number of sides that follow.
-  void begin(std::size_t sides) {
-    while (slots_.size() < 2 * sides) {
-      slots_.assign(2 * slots_.size(), {});
-      --shift_;
+/// For each face of an element that was turned inside out, the face with these nodes before.
+const std::vector<std::size_t>& faces_before_turn(ElementType type) {
+  static const auto all = table_by_type([](ElementType of) {
+    const ElementShape& shape = shape_of(of);
+    std::vector<std::size_t> before;
+    for (const Face& face : shape.faces) {
+      const auto nodes = by_nodes(face, shape.mirrored).sorted();
+      before.push_back(static_cast<std::size_t>(
+          std::ranges::find(shape.faces, nodes, &Face::sorted) - shape.faces.begin()));
     }
-    ++round_;
-  }
-  /// Adds a face of an element of the star. Returns the element that was added with the same face
-  /// before; -1: none.
-  Index meet(const std::array<Index, 4>& face, Index element) {
-    std::uint64_t hash = 0;
-    for (const Index node : face)
-      hash = (hash ^ static_cast<std::uint32_t>(node)) * 0x9E3779B97F4A7C15U;
-    std::size_t k = hash >> shift_;
-    for (; slots_[k].round == round_; k = (k + 1) & (slots_.size() - 1))
-      if (slots_[k].face == face) return slots_[k].element;
-    slots_[k] = {face, element, round_};
-    return -1;
-  }
+    return before;
+  });
+  return all[static_cast<std::size_t>(type)];
+}
 
- private:
-  struct Slot {
-    std::array<Index, 4> face{};
-    Index element = -1;
-    Index round = 0;  // slots of earlier rounds are empty
-  };
-  std::vector<Slot> slots_ = std::vector<Slot>(256);
-  unsigned shift_ = 56;  // 64 less the bits of a place
-  Index round_ = 0;
-};
+/// For each element of an order the elements beyond its faces, by numbers of the order; -1 beyond
+/// the boundary. turned: see check_volume_manifold().
+CompressedRows elements_beside(const OrderedStars& stars, const FacePairs& pairs,
+                               const std::vector<bool>& turned) {
+  const std::vector<Index>& elements = stars.order.elements;
+  std::vector<Index> places(elements.size());
+  for (std::size_t k = 0; k < elements.size(); ++k) places[at(elements[k])] = static_cast<Index>(k);
+  CompressedRows beside;
+  beside.offsets.reserve(elements.size() + 1);
+  for (const Index e : elements)
+    beside.offsets.push_back(beside.offsets.back() + static_cast<Index>(pairs.faces_of(e).size()));
+  beside.values.resize(at(beside.offsets.back()));
+  parallel_for(0, beside.rows(), [&](Index begin, Index end) {
+    for (Index k = begin; k < end; ++k) {
+      const Index e = elements[at(k)];
+      const auto& before = faces_before_turn(stars.types[at(k)]);
+      auto value = beside.values.begin() + beside.offsets[at(k)];
+      const auto faces = pairs.faces_of(e);
+      for (std::size_t side = 0; side < faces.size(); ++side) {
+        const Index face = faces[turned[at(e)] ? before[side] : side];
+        const auto [first, second] = pairs.elements[at(face)];
+        const Index other = first == e ? second : first;
+        *value++ = other < 0 ? -1 : places[at(other)];
+      }
+    }
+  });
+  return beside;
+}
 
 /// Checks that the link of a node is a sphere, or a disc on the boundary. It is if and only if the
-/// link is connected and its Euler characteristic is 2, or 1 on the boundary.
+/// link is connected and its Euler characteristic is 2, or 1 on the boundary. The parts of the link
+/// are the elements of the star, its edges their faces at the node, its corners the edges there.
 class LinkCheck {
  public:
-  explicit LinkCheck(const OrderedStars& stars) : stars_(stars) {}
+  /// beside: elements_beside().
+  LinkCheck(const OrderedStars& stars, const CompressedRows& beside)
+      : stars_(stars), beside_(beside), seen_from_(stars.types.size(), -1) {}
 
   /// node: its number in the order. edges: number of edges at the node.
   bool holds(Index node, Index edges) {
-    constexpr std::size_t most_faces = 4;  // of an element at a corner
     const auto star = stars_.elements[node];
     const auto count = static_cast<Index>(star.size());
     if (count == 0) return true;
-    faces_.begin(most_faces * star.size());
-    joined_.reset(star.size());
-    Index faces = 0, open = 0, parts = count;
-    for (Index place = 0; place < count; ++place) {
-      const Index e = star[at(place)];
-      const auto corners = stars_.order.corners[e];
-      for (const Face& face : faces_at(stars_.types[at(e)], index_of(corners, node))) {
-        const Index other = faces_.meet(by_nodes(face, corners).sorted(), place);
-        faces += other < 0 ? 1 : 0;
-        open += other < 0 ? 1 : -1;
-        if (other >= 0 && joined_.join(other, place)) --parts;
+    Index sides = 0, open = 0;
+    // Walks from the first element through faces at the node.
+    reached_.assign(1, star.front());
+    seen_from_[at(star.front())] = node;
+    for (std::size_t head = 0; head < reached_.size(); ++head) {
+      const Index e = reached_[head];
+      for (const Index face :
+           faces_at(stars_.types[at(e)], index_of(stars_.order.corners[e], node))) {
+        const Index other = beside_[e][at(face)];
+        ++sides;
+        if (other < 0)
+          ++open;
+        else if (std::exchange(seen_from_[at(other)], node) != node)
+          reached_.push_back(other);
       }
     }
-    return parts == 1 && edges - faces + count == (open > 0 ? 1 : 2);
+    const Index faces = (sides + open) / 2;
+    return std::ssize(reached_) == std::ssize(star) && edges - faces + count == (open > 0 ? 1 : 2);
   }
 
  private:
   const OrderedStars& stars_;
-  FaceTable faces_;
-  JoinedSets joined_;  // elements of the star that are connected by faces
+  const CompressedRows& beside_;
+  std::vector<Index> seen_from_;  // #elements: the node from which each was reached last
+  std::vector<Index> reached_;
 };
 
 }  // namespace
@@ -368,12 +390,14 @@ OrderedStars::OrderedStars(const MeshData& data, const CompressedRows& corners)
 
 CompressedRows volume_neighbours(const OrderedStars& stars) { return NeighbourRows(stars).make(); }
 
-void check_volume_manifold(const Topology& topology, const OrderedStars& stars) {
+void check_volume_manifold(const Topology& topology, const OrderedStars& stars,
+                           const FacePairs& pairs, const std::vector<bool>& turned) {
   check_boundary_edges(topology);
+  const CompressedRows beside = elements_beside(stars, pairs, turned);
   const Index nodes = topology.node_count();
   std::vector<Index> failed(at(nodes / parallel_block + 1), nodes);  // the lowest of each block
   parallel_for(0, nodes, [&](Index begin, Index end) {
-    LinkCheck check(stars);
+    LinkCheck check(stars, beside);
     Index& lowest = failed[at(begin / parallel_block)];
     for (Index k = begin; k < end; ++k) {
       const Index node = stars.order.nodes[at(k)];

@@ -293,7 +293,7 @@ void TopologyBuilder::build_volume() {
   topology_->star_ = star_rows(topology_->elements_, data_.node_count());
   const OrderedStars stars(data_, topology_->elements_);
   topology_->neighbours_ = volume_neighbours(stars);
-  check_volume_manifold(*topology_, stars);
+  check_volume_manifold(*topology_, stars, pairs_, turned_);
 }
 
 void TopologyBuilder::make_markers() {

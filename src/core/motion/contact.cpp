@@ -309,9 +309,33 @@ class ContactSearch {
     return near;
   }
 
+  /// Whether some facet that does not move lies in the box around all that moving nodes sweep;
+  /// always true where facets join moving and fixed nodes. Most motions are far from anything most
+  /// of the way.
+  bool may_meet_fixed(const Coordinates& from, const Coordinates& middle,
+                      const Coordinates& to) const {
+    if (!outline_.joints.empty()) return true;
+    Box<D> all = Box<D>::empty();
+    double sagitta = 0;  // as in swept()
+    for (const Index node : motion_.nodes()) {
+      const Vec<D> a = from.get<D>(node), b = middle.get<D>(node), c = to.get<D>(node);
+      all.add(a);
+      all.add(b);
+      all.add(c);
+      sagitta = std::max(sagitta, (b - 0.5 * (a + c)).squaredNorm());
+    }
+    sagitta = std::sqrt(sagitta);
+    // A little more, for round-off.
+    const Vec<D> more = Vec<D>::Constant(sagitta + 1e-9 * (all.size().norm() + sagitta));
+    bool found = false;
+    fixed_.overlapping({all.min - more, all.max + more}, [&](Index) { found = true; });
+    return found;
+  }
+
   std::optional<Contact> within(const Interval& interval, const Positions& from,
                                 const Positions& to, std::span<const std::size_t> facets) const {
     const Positions middle(*this, interval.middle());
+    if (!several_bodies() && !may_meet_fixed(from.x(), middle.x(), to.x())) return std::nullopt;
     std::vector<Box<D>> boxes;
     boxes.reserve(facets.size());
     for (const std::size_t e : facets) boxes.push_back(swept(e, from.x(), middle.x(), to.x()));

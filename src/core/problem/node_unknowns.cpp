@@ -187,13 +187,20 @@ Validity NodeUnknowns::validity(const Coordinates& x) const {
 
 double NodeUnknowns::residual_round_off(const Coordinates& x) const {
   constexpr double safety = 16;
-  double worst = 0;
+  const auto count = static_cast<Index>(nodes().size());
+  std::vector<double> of_blocks(block_count(count), 0.0);
   in_dimension(x, [&](const auto& points) {
-    for (const Index node : nodes()) {
-      const double edge = mean_edge_at(topology(), points, node);
-      if (edge > 0) worst = std::max(worst, points[node].template lpNorm<Eigen::Infinity>() / edge);
-    }
+    parallel_for(threads(), count, [&](Index begin, Index end) {
+      double& worst = of_blocks[at(begin / parallel_block)];
+      for (Index k = begin; k < end; ++k) {
+        const Index node = nodes()[at(k)];
+        const double edge = mean_edge_at(topology(), points, node);
+        if (edge > 0)
+          worst = std::max(worst, points[node].template lpNorm<Eigen::Infinity>() / edge);
+      }
+    });
   });
+  const double worst = of_blocks.empty() ? 0 : *std::ranges::max_element(of_blocks);
   // A tangled start can have edges of almost zero length; it must not count as converged.
   return std::min(safety * std::numeric_limits<double>::epsilon() * worst, 1e-7);
 }

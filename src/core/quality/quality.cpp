@@ -149,6 +149,26 @@ QualityReport::PerMetric QualityReport::of(Metric metric) && {
   return std::as_const(*this).of(metric);
 }
 
+namespace {
+
+QualityReport::PerMetric describe_metric(const Mesh& mesh, const Values& values, std::size_t m,
+                                         const QualityOptions& options) {
+  const int dimension = mesh.topology->cell_dimension();
+  const MetricInfo& info = metric_info(reported_metrics(dimension)[m], dimension);
+  QualityReport::PerMetric part;
+  const auto& all = values.of_elements[m];
+  part.worst = worst_elements(mesh, all, info.field, options.worst);
+  std::vector<double> counted = info.of_corner ? values.of_corners[m] : all;
+  if (!info.of_corner) std::erase_if(counted, [](double v) { return !std::isfinite(v); });
+  part.statistics = statistics_of(counted);
+  const double low = info.field.larger_is_better ? std::min(0.0, part.statistics.min) : info.best;
+  const double high = info.field.larger_is_better ? info.best : part.statistics.max;
+  part.histogram = histogram_of(counted, low, high, options.histogram_bins);
+  return part;
+}
+
+}  // namespace
+
 QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
   Values values(mesh, options.normals, options.threads);
   QualityReport report;
@@ -163,19 +183,12 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
     ++report.inverted;
     if (report.inverted_elements.size() < listed) report.inverted_elements.push_back(e);
   }
-  for (std::size_t m = 0; m < values.of_elements.size(); ++m) {
-    const MetricInfo& info =
-        metric_info(reported_metrics(report.cell_dimension)[m], report.cell_dimension);
-    auto& part = report.metrics.emplace_back();
-    const auto& all = values.of_elements[m];
-    part.worst = worst_elements(mesh, all, info.field, options.worst);
-    std::vector<double> counted = info.of_corner ? values.of_corners[m] : all;
-    if (!info.of_corner) std::erase_if(counted, [](double v) { return !std::isfinite(v); });
-    part.statistics = statistics_of(counted);
-    const double low = info.field.larger_is_better ? std::min(0.0, part.statistics.min) : info.best;
-    const double high = info.field.larger_is_better ? info.best : part.statistics.max;
-    part.histogram = histogram_of(counted, low, high, options.histogram_bins);
-  }
+  const auto metrics = static_cast<Index>(values.of_elements.size());
+  report.metrics.resize(at(metrics));
+  const auto describe = [&](Index m, Index /*end*/) {
+    report.metrics[at(m)] = describe_metric(mesh, values, at(m), options);
+  };
+  parallel_for(options.threads, metrics, describe, 1);
   if (!report.has_walls()) return report;
   report.walls = measure_walls(mesh);
   for (const WallField field : all_wall_fields()) {

@@ -85,6 +85,28 @@ Index make_sliver(Mesh& mesh) {
   return e;
 }
 
+/// s of a tetrahedron.
+double stretch_of(const Mesh& mesh, Index e) {
+  const auto nodes = mesh.topology->element(e);
+  const auto corner = corner_tetrahedra(ElementType::tetrahedron)[0];
+  const auto place = [&](std::size_t k) { return mesh.coordinates.xyz(nodes[at(corner[k])]); };
+  Edges3 edges;
+  for (int k = 0; k < 3; ++k) edges.col(k) = place(at(k + 1)) - place(0);
+  return 0.5 * stretch_between(regular_metrics(ElementType::tetrahedron)[0], volume_metric(edges));
+}
+
+/// The median of s over the tetrahedra with a common node, by the definition. stretch: s of all.
+double median_stretch(const Topology& topology, std::span<const double> stretch, Index e) {
+  std::vector<Index> around;
+  for (const Index node : topology.element(e))
+    around.insert(around.end(), topology.star(node).begin(), topology.star(node).end());
+  sort_unique(around);
+  std::vector<double> found;
+  for (const Index other : around) found.push_back(stretch[at(other)]);
+  std::ranges::sort(found);
+  return found[(found.size() - 1) / 2];
+}
+
 }  // namespace
 
 TEST_CASE("the stretch between two triangles is that of the map between them") {
@@ -278,4 +300,48 @@ TEST_CASE("pyramids keep their shapes beside tetrahedra that do not") {
   }
   REQUIRE(before_sum > 0);
   CHECK(after_sum > 0.97 * before_sum);
+}
+
+TEST_CASE("in space the permitted stretch is that of the median around, to the bit") {
+  // Cubes cut around their diagonals have nearly regular tetrahedra if the diagonals are halved.
+  MeshData data = cube(12, Volumes::tetrahedra);
+  const Vec3 diagonal = Vec3(1, 1, 1) / std::sqrt(3.0);
+  for (Index node = 0; node < data.node_count(); ++node) {
+    Vec3 p = data.coordinates.xyz(node);
+    if (p.z() > 0.5) p.z() = 0.5 + (p.z() - 0.5) / 6;
+    data.coordinates.set_xyz(node, p - 0.5 * p.dot(diagonal) * diagonal);
+  }
+  const Mesh mesh = jittered(make_mesh(data), 0.1, 5);
+  const StretchField field = stretch_field(*mesh.topology, mesh.coordinates, 1);
+  const StretchField four = stretch_field(*mesh.topology, mesh.coordinates, 4);
+  CHECK(field.share == four.share);
+  CHECK(field.longest == four.longest);
+  CHECK(field.stiffness == four.stiffness);
+  CHECK(field.stretched == four.stretched);
+  Index kept = 0, isotropic = 0;
+  std::vector<double> stretch;
+  for (Index e = 0; e < mesh.topology->element_count(); ++e) stretch.push_back(stretch_of(mesh, e));
+  for (Index e = 0; e < mesh.topology->element_count(); ++e) {
+    const double median = median_stretch(*mesh.topology, stretch, e);
+    if (field.share[at(e)] > 0) {
+      CHECK(field.longest[at(e)] == median + 0.35);
+      ++kept;
+    } else {
+      CHECK(median <= 0.45);
+      CHECK(field.longest[at(e)] == 0);
+      ++isotropic;
+    }
+  }
+  CHECK(kept > 100);
+  CHECK(isotropic > 100);
+  // Next to an inverted element no shape counts, in the quick way of counting, too.
+  Mesh spoilt = mesh;
+  const Index node = mesh.topology->interior_nodes().back();
+  const Index other = mesh.topology->neighbours(node).front();
+  spoilt.coordinates.set_xyz(node, mesh.coordinates.xyz(node) + 1.5 * (mesh.coordinates.xyz(other) -
+                                                                       mesh.coordinates.xyz(node)));
+  REQUIRE(check_validity(*spoilt.topology, spoilt.coordinates, 1).inverted > 0);
+  const StretchField lost = stretch_field(*spoilt.topology, spoilt.coordinates, 1);
+  for (const Index e : spoilt.topology->star(node)) CHECK(lost.share[at(e)] == 0);
+  CHECK(lost.stretched > 0);
 }

@@ -30,6 +30,38 @@ Edges3 flat_corner(double height) {
 
 }  // namespace
 
+TEST_CASE("the quick stretch is that of the singular values to within its error") {
+  Random random(3);
+  const auto number = [&] { return random.uniform(-1, 1); };
+  int compared = 0, beyond = 0;
+  for (int k = 0; k < 4000; ++k) {
+    Edges3 a, b;
+    for (Edges3* edges : {&a, &b}) {
+      do {
+        *edges = Edges3::NullaryExpr(number);
+      } while (!(edges->determinant() > 1e-3));
+      edges->row(k % 3) *= std::pow(10.0, random.uniform(-1, 0));
+    }
+    if (k % 10 == 0) b = a * random.uniform(0.5, 2);                             // similar
+    if (k % 10 == 1) b = Vec3(1, 1, 1 + random.uniform(0, 9)).asDiagonal() * a;  // two alike
+    if (k % 10 == 2) b = Vec3(2, 2, 2 - random.uniform(0, 1.9)).asDiagonal() * a;
+    const Eigen::Matrix3d metric = volume_metric(b);
+    const Eigen::Matrix3d lower = volume_metric(a).llt().matrixL();
+    const double stretch = stretch_between(volume_metric(a), metric);
+    CHECK(RelativeMetric(volume_metric(a), metric).stretch() == stretch);
+    const double quick = quick_stretch(lower, metric);
+    if (stretch > 3) {
+      CHECK(quick > 2.9);
+      ++beyond;
+    } else {
+      CHECK(std::abs(quick - stretch) < stretch_error);
+      ++compared;
+    }
+  }
+  CHECK(compared > 1000);
+  CHECK(beyond > 100);
+}
+
 TEST_CASE("metrics of flat tetrahedra keep determinant 1 and their stretch") {
   const Eigen::Matrix3d regular = regular_metrics(ElementType::tetrahedron)[0];
   const double ends = RelativeMetric(regular, volume_metric(flat_corner(1))).stretch();

@@ -239,7 +239,7 @@ TEST_CASE("both versions of the loops over tetrahedra give the same bits") {
           fast->sum(data, list.data(), count, 0, b.data()));
     const auto check_same = [&] {
       for (std::size_t i = 0; i < distortion::SimplexLayout<3>::sum * targets.cells.size(); ++i) {
-        if (i % distortion::SimplexLayout<3>::sum < 70) CHECK(a[i] == b[i]);
+        CHECK(a[i] == b[i]);
       }
     };
     check_same();
@@ -247,7 +247,88 @@ TEST_CASE("both versions of the loops over tetrahedra give the same bits") {
     CHECK(portable.sum_projected(data, list.data(), count, 0, a.data()) ==
           fast->sum_projected(data, list.data(), count, 0, b.data()));
     check_same();
+    // Scattered, with and without the Hessian.
+    std::vector<distortion::SimplexPlaces<3>> places(targets.cells.size());
+    Random random(12);
+    for (auto& place : places) {
+      for (auto& row : place.rows) row = static_cast<std::uint16_t>(random.index(9));
+      for (Index& block : place.blocks) block = random.index(50);
+    }
+    std::vector<double> rows(16 * 9), other_rows(rows), blocks(9 * 50), other_blocks(blocks);
+    portable.scatter(a.data(), places.data(), count, rows.data(), blocks.data());
+    fast->scatter(a.data(), places.data(), count, other_rows.data(), other_blocks.data());
+    CHECK(rows == other_rows);
+    CHECK(blocks == other_blocks);
+    a.assign(a.size(), 0);
+    b = a;
+    portable.sum_gradients(data, list.data(), count, a.data());
+    fast->sum_gradients(data, list.data(), count, b.data());
+    const std::size_t slim = distortion::SimplexLayout<3>::slim_sum * targets.cells.size();
+    CHECK(std::equal(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(slim), b.begin()));
+    portable.scatter_gradients(a.data(), places.data(), count, rows.data());
+    fast->scatter_gradients(a.data(), places.data(), count, other_rows.data());
+    CHECK(rows == other_rows);
   }
+}
+
+TEST_CASE("the sums of a tetrahedron go to its rows and blocks, with their transposes") {
+  using Layout = distortion::SimplexLayout<3>;
+  Random random(13);
+  std::vector<double> sums(2 * Layout::sum);
+  for (double& s : sums) s = random.uniform(-1, 1);
+  // The second tetrahedron has its third node outside the block of rows.
+  const std::vector<distortion::SimplexPlaces<3>> places{
+      {{0, 1, 2, 3}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}},
+      {{3, 1, 4, 0}, {10, 9, 0, 0, 6, 5, 0, 0, 2, 1, 0, 0}}};
+  const distortion::TetrahedronKernel& kernel = distortion::fastest_kernel<3>();
+  std::vector<double> rows(16 * 5), rows_alone(rows), blocks(9 * 13);
+  kernel.scatter(sums.data(), places.data(), 2, rows.data(), blocks.data());
+  kernel.scatter(sums.data(), places.data(), 2, rows_alone.data(), nullptr);
+  CHECK(rows == rows_alone);
+  const auto corner = [&](std::size_t cell, std::size_t k, std::size_t i) {
+    return sums[Layout::sum * cell + Layout::corners + Layout::corner * k + i];
+  };
+  const auto pair = [&](std::size_t cell, std::size_t k, std::size_t i) {
+    return sums[Layout::sum * cell + 9 * k + i];
+  };
+  for (std::size_t i = 0; i < 16; ++i) {
+    CHECK(rows[16 * 1 + i] == corner(0, 1, i) + corner(1, 1, i));
+    CHECK(rows[16 * 2 + i] == corner(0, 2, i));
+    CHECK(rows[16 * 3 + i] == corner(0, 3, i) + corner(1, 0, i));
+  }
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t i = 3 * r + c, transposed = 3 * c + r;
+      CHECK(blocks[9 * 1 + i] == pair(0, 0, i) + pair(1, 4, transposed));
+      CHECK(blocks[9 * 2 + i] == pair(0, 0, transposed) + pair(1, 4, i));
+      CHECK(blocks[9 * 7 + i] == pair(0, 3, i));
+      CHECK(blocks[9 * 8 + i] == pair(0, 3, transposed));
+      CHECK(blocks[9 * 10 + i] == pair(0, 4, transposed) + pair(1, 0, i));
+    }
+  }
+}
+
+TEST_CASE("the energy of tetrahedra is the same in every unit, however small or large") {
+  const Mesh mesh = shaken_cube(Volumes::tetrahedra);
+  const auto targets = volume_targets(*mesh.topology, nullptr, TargetBlend::regular(), nullptr, 1);
+  const auto count = static_cast<Index>(targets.cells.size());
+  distortion::SimplexData data;
+  data.nodes = targets.cells.front().data();
+  data.offsets = targets.offsets.data();
+  data.terms = &targets.terms.front().a11;
+  data.penalty = distortion::PenaltyFunction(PenaltyOptions{}).constants();
+  const auto energy_in = [&](double unit) {
+    std::vector<double> x(mesh.coordinates.values().begin(), mesh.coordinates.values().end());
+    for (double& v : x) v *= unit;
+    data.x = x.data();
+    const double energy = distortion::fastest_kernel<3>().energy(data, 0, count);
+    CHECK(distortion::portable_kernel<3>().energy(data, 0, count) == energy);
+    return energy;
+  };
+  const double expected = energy_in(1);
+  REQUIRE(std::isfinite(expected));
+  for (const double unit : {1e-98, 1e-90, 1e-30, 1e-3, 0.7, 3.0, 1e5, 1e40, 1e95, 1e98})
+    CHECK(energy_in(unit) == doctest::Approx(expected).epsilon(1e-13));
 }
 
 TEST_CASE("the regularised energy of tetrahedra has its gradient on inverted ones, too") {
