@@ -271,6 +271,43 @@ TEST_CASE("both versions of the loops over tetrahedra give the same bits") {
   }
 }
 
+TEST_CASE("both versions of the loops of first-order steps over tetrahedra give the same bits") {
+  const distortion::TetrahedronKernel* fast = distortion::avx2_kernel<3>();
+  if (!fast) return;
+  const distortion::TetrahedronKernel& portable = distortion::portable_kernel<3>();
+  const Mesh mesh = shaken_cube(Volumes::tetrahedra);
+  const Mesh regular = make_mesh(cube(3, Volumes::tetrahedra));
+  for (const TargetBlend& blend : {TargetBlend::automatically(), TargetBlend::keeping()}) {
+    CAPTURE(blend.keep);
+    const auto targets = volume_targets(*regular.topology, nullptr, blend, &regular.coordinates, 1);
+    const auto count = static_cast<Index>(targets.cells.size());
+    distortion::SimplexData data;
+    data.x = mesh.coordinates.values().data();
+    data.nodes = targets.cells.front().data();
+    data.offsets = targets.offsets.data();
+    data.terms = &targets.terms.front().a11;
+    if (!targets.inverse_limits.empty()) data.inverse_limits = targets.inverse_limits.data();
+    data.penalty = distortion::PenaltyFunction({.guard = 5}, true).constants();
+    std::vector<double> x(4 * at(mesh.coordinates.size()), 0.0), a(x), b(x);
+    for (Index node = 0; node < mesh.coordinates.size(); ++node)
+      Eigen::Map<Vec3>(x.data() + 4 * at(node)) = mesh.coordinates.xyz(node);
+    const double energy = portable.add_gradients(data, x.data(), data.nodes, 0, count, a.data());
+    CHECK(energy == doctest::Approx(portable.energy(data, 0, count)).epsilon(1e-13));
+    CHECK(energy == fast->add_gradients(data, x.data(), data.nodes, 0, count, b.data()));
+    CHECK(a == b);
+    std::vector<Index> list(targets.cells.size());
+    for (Index i = 0; i < count; ++i) list[at(i)] = count - 1 - i;
+    constexpr std::size_t size = distortion::SimplexLayout<3>::scalar_sum;
+    a.assign(size * (list.size() + 3), 0);
+    b = a;
+    portable.sum_scalars(data, list.data(), count, a.data());
+    fast->sum_scalars(data, list.data(), count, b.data());
+    a.resize(size * list.size());
+    b.resize(a.size());
+    CHECK(a == b);
+  }
+}
+
 TEST_CASE("the sums of a tetrahedron go to its rows and blocks, with their transposes") {
   using Layout = distortion::SimplexLayout<3>;
   Random random(13);
