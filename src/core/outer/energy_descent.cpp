@@ -267,10 +267,11 @@ void EnergyDescent::take_up(Coordinates& x) {
   record_.residual = scaled_residual();
 }
 
-/// Whether Newton's method is faster from here. Far from a solution it takes many steps with systems
-/// that are hard to solve, so first-order steps go on as long as they lower the energy: meanwhile
-/// the largest residual rises and falls. Near a solution Newton's method has a price that is known.
-/// Once that has been spent, first-order steps go on only if they need less than it from here.
+/// Whether Newton's method is faster from here. Far from a solution it takes many steps with
+/// systems that are hard to solve, so first-order steps go on as long as they lower the energy:
+/// meanwhile the largest residual rises and falls. Near a solution Newton's method has a price that
+/// is known. Once that has been spent, first-order steps go on only if they need less than it from
+/// here.
 bool EnergyDescent::is_slow() const {
   constexpr std::ptrdiff_t window = 30, long_window = 90;
   constexpr std::ptrdiff_t price = 130;  // of Newton's method near a solution, in these steps

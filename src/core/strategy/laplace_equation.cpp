@@ -35,21 +35,43 @@ struct Simplex {
 
   Simplex(const std::array<Index, D + 1>& corners, const Coordinates& x) : nodes(corners) {
     Eigen::Matrix<double, D, D> edges;
-    for (int k = 0; k < D; ++k)
-      edges.col(k) = x.get<D>(nodes[at(k + 1)]) - x.get<D>(nodes[0]);
+    for (int k = 0; k < D; ++k) edges.col(k) = x.get<D>(nodes[at(k + 1)]) - x.get<D>(nodes[0]);
     size = edges.determinant();
     gradients.template bottomRows<D>() = edges.inverse();
     gradients.row(0) = -gradients.template bottomRows<D>().colwise().sum();
   }
 };
 
+/// The nodes in parts of the mesh with at least one known node.
+std::vector<bool> connected_to(const Topology& topology, const std::vector<bool>& known) {
+  std::vector<bool> reached = known;
+  std::vector<Index> ends;
+  for (Index node = 0; node < topology.node_count(); ++node)
+    if (known[at(node)]) ends.push_back(node);
+  while (!ends.empty()) {
+    const Index node = ends.back();
+    ends.pop_back();
+    for (const Index next : topology.neighbours(node)) {
+      if (reached[at(next)]) continue;
+      reached[at(next)] = true;
+      ends.push_back(next);
+    }
+  }
+  return reached;
+}
+
 }  // namespace
 
 LaplaceEquation::LaplaceEquation(const Topology& topology, const Coordinates& x,
                                  const std::vector<bool>& known, int threads)
     : topology_(topology), x_(x), threads_(threads), numbers_(known.size(), -1) {
+  const std::vector<bool> reached = connected_to(topology, known);
   for (Index node = 0; node < topology.node_count(); ++node) {
     if (known[at(node)] || !topology.used(node)) continue;
+    if (!reached[at(node)]) {
+      apart_.push_back(node);
+      continue;
+    }
     numbers_[at(node)] = static_cast<Index>(nodes_.size());
     nodes_.push_back(node);
   }
@@ -57,8 +79,8 @@ LaplaceEquation::LaplaceEquation(const Topology& topology, const Coordinates& x,
   constexpr Index most_blocks = 16;  // each has a list as long as the mesh
   const Index block = std::max(parallel_block, count / most_blocks + 1);
   matrix_.pattern = build_pattern(count, block, threads_, [&] {
-    return [&, seen = std::vector<Index>(nodes_.size(), -1)](
-               Index row, std::vector<Index>& columns) mutable {
+    return [&, seen = std::vector<Index>(nodes_.size(), -1)](Index row,
+                                                             std::vector<Index>& columns) mutable {
       for (const Index e : topology_.star(nodes_[at(row)]))
         for (const Index node : topology_.element(e))
           if (const Index other = numbers_[at(node)];
@@ -116,8 +138,8 @@ void LaplaceEquation::assemble_in(const std::vector<std::vector<double>>& fields
           if (found == simplex.nodes.end()) return;
           const auto own = static_cast<int>(found - simplex.nodes.begin());
           for (int k = 0; k <= D; ++k) {
-            const double value = conductivity * volume *
-                                 simplex.gradients.row(own).dot(simplex.gradients.row(k));
+            const double value =
+                conductivity * volume * simplex.gradients.row(own).dot(simplex.gradients.row(k));
             const Index node = simplex.nodes[at(k)];
             if (const Index column = numbers_[at(node)]; column >= 0) {
               matrix_.values[at(entry[at(column)])] += value;
@@ -128,9 +150,6 @@ void LaplaceEquation::assemble_in(const std::vector<std::vector<double>>& fields
           }
         });
       }
-      // Parts of a mesh without any known value get u = 0.
-      constexpr double shift = 1e-10;  // relative
-      matrix_.values[at(pattern.diagonal[at(row)])] *= 1 + shift;
     }
   });
   // Rows add their entries in different orders: copies the lower triangle.
@@ -198,6 +217,8 @@ void LaplaceEquation::solve(const Options& options, std::vector<std::vector<doub
   constexpr int updates = 2;
   constexpr double loose = 1e-2;  // accuracy of fields that only give a conductivity
   conductivity_.clear();
+  for (auto& field : fields)
+    for (const Index node : apart_) field[at(node)] = 0;
   if (nodes_.empty()) return;
   assemble(fields);
   for (int i = 0; i < updates && options.exponent > 2; ++i) {

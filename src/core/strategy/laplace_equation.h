@@ -18,7 +18,7 @@ namespace winslow {
 class LaplaceEquation {
  public:
   struct Options {
-    double exponent = 2;    ///< p >= 2
+    double exponent = 2;     ///< p, from 2 to 3
     double accuracy = 1e-4;  ///< relative residual of the last linear solve
   };
 
@@ -48,8 +48,9 @@ class LaplaceEquation {
   const Topology& topology_;
   const Coordinates& x_;
   int threads_;
-  std::vector<Index> numbers_;  // #nodes, of the unknowns; -1: none
-  std::vector<Index> nodes_;    // that have unknowns
+  std::vector<Index> numbers_;        // #nodes, of the unknowns; -1: none
+  std::vector<Index> nodes_;          // that have unknowns
+  std::vector<Index> apart_;          // in parts of the mesh without a known value
   std::vector<double> conductivity_;  // #elements; empty: 1
   SparseMatrix matrix_;
   std::vector<std::vector<double>> right_hand_sides_;  // of each field

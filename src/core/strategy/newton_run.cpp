@@ -261,11 +261,12 @@ double NewtonRun::carry_and_descend(const Motion& motion, const Path& path, doub
   const auto twist = Twist::find(workspace_.classes(), x, motion, workspace_.options().threads);
   if (!twist) return 0;
   constexpr double most_turn = 90, shortest = 1.0 / 16;  // degrees; share of that
-  constexpr int steps_between = 20;
+  constexpr int few = 10, many = 20;                     // first-order steps between parts
   const double whole = 1 / std::max(1.0, std::ceil(twist->largest_turn() / most_turn));
   PathMesh good{0, x};  // the last one without slivers
   double reached = 0;
-  for (double share = whole; reached < 1 && share >= shortest * whole && recorder_.remaining() > 0;) {
+  for (double share = whole;
+       reached < 1 && share >= shortest * whole && recorder_.remaining() > 0;) {
     const double to = reached + share > 1 - 0.5 * shortest * whole ? 1 : reached + share;
     Coordinates there = carried(*twist, path, x, reached, to);
     if (workspace_.validity(there).inverted > 0) {
@@ -274,7 +275,7 @@ double NewtonRun::carry_and_descend(const Motion& motion, const Path& path, doub
     }
     x = std::move(there);
     reached = to;
-    if (reached < 1) descend(x, reached, steps_between, near_enough);
+    if (reached < 1) descend(x, reached, share < whole ? many : few, near_enough);
     if (smallest_sine(x) >= least_sine) good = {reached, x};
   }
   if (reached >= 1) return 1;

@@ -66,7 +66,7 @@ struct SmoothOptions {
   bool adapt_damping = true;
   int acceleration = 15;
   Clip clip = Clip::automatic;
-  int max_iterations = 500;
+  int max_iterations = 1000;
   double tolerance = 1e-10;       ///< of ResidualNorms::max
   KeepOutside keep_outside = {};  ///< default: no region, all interior nodes are free
   SlideOptions slide = {};        ///< default: no boundary node slides

@@ -71,14 +71,18 @@ std::optional<Twist> Twist::find(const NodeClasses& classes, const Coordinates& 
   if (!std::ranges::all_of(bodies, [](const Motion* body) { return body->rigid() != nullptr; }))
     return std::nullopt;
   const Index count = topology.node_count();
-  std::vector<std::vector<double>> u(bodies.size(), std::vector<double>(at(count)));
+  // A first guess, exact where nothing but one body holds the mesh.
+  const double share = 1 / static_cast<double>(bodies.size());
+  std::vector<std::vector<double>> u(bodies.size(), std::vector<double>(at(count), share));
   std::vector<bool> known(at(count));
-  for (Index node = 0; node < count; ++node) known[at(node)] = classes[node] == NodeClass::fixed;
+  const auto set_known = [&](Index node, std::size_t body) {
+    known[at(node)] = true;
+    for (std::size_t b = 0; b < u.size(); ++b) u[b][at(node)] = b == body ? 1 : 0;
+  };
+  for (Index node = 0; node < count; ++node)
+    if (classes[node] == NodeClass::fixed || !topology.used(node)) set_known(node, u.size());
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    for (const Index node : bodies[b]->nodes()) {
-      known[at(node)] = true;
-      u[b][at(node)] = 1;
-    }
+    for (const Index node : bodies[b]->nodes()) set_known(node, b);
   const bool in_space = topology.cell_dimension() == 3;
   LaplaceEquation equation(topology, x, known, threads);
   equation.solve({.exponent = in_space ? 3.0 : 2.0}, u);
