@@ -177,6 +177,11 @@ TEST_CASE("what does not apply is not shown, and the defaults come back at a pre
   CHECK(rig.visible("solver/linear_restart"));
   rig.fill("solver/tolerance", "1e-6");
   CHECK(rig.session().solver_settings().smooth_options().tolerance == 1e-6);
+  // The default, entered, is none of the user's: a recipe does not name it.
+  rig.fill("solver/tolerance", "1e-10");
+  CHECK_FALSE(rig.session().solver_settings().smooth_options().tolerance);
+  rig.fill("solver/tolerance", "1e-4");
+  CHECK(rig.session().solver_settings().smooth_options().tolerance == 1e-4);
   rig.click("solver/adapt_damping");
   CHECK_FALSE(rig.session().solver_settings().smooth_options().adapt_damping);
   rig.click("solver/defaults");
