@@ -408,7 +408,8 @@ TEST_CASE("the pointwise Newton where systems are singular: no step, no predicti
   const VirtualControlVolumes vcv(mesh.topology);
   const PointwiseWinslow formulation = pointwise(vcv);
   Refusing linear;
-  EquationNewton newton(variants<EquationNewton>(formulation), linear, equation_options(tight(), 2));
+  EquationNewton newton(variants<EquationNewton>(formulation), linear,
+                        equation_options(tight(), 2));
   Coordinates x = mesh.coordinates;
   newton.start(x);
   newton.step(x);
