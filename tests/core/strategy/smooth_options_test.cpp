@@ -112,7 +112,8 @@ TEST_CASE("the tolerance is the one given, else that of the kind of mesh") {
 TEST_CASE("rows for a kind of mesh know its tolerance, as long as none is given") {
   SmoothOptions options;
   for (const auto& [kind, tolerance] :
-       {std::pair(MeshKind::plane, 1e-10), {MeshKind::surface, 1e-10}, {MeshKind::volume, 1e-4}}) {
+       {std::pair(MeshKind::plane, 1e-10), std::pair(MeshKind::surface, 1e-10),
+        std::pair(MeshKind::volume, 1e-4)}) {
     const OptionTable table = option_table(options, kind);
     const auto row = std::ranges::find_if(table, [](const Option& option) {
       return option.key == "tolerance" && option.object.empty();

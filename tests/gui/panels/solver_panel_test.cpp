@@ -192,6 +192,24 @@ TEST_CASE("what does not apply is not shown, and the defaults come back at a pre
   CHECK(rig.session().solver_settings().smooth_options().linear == LinearOptions{});
 }
 
+TEST_CASE("the solver's tolerance in effect is that of the open mesh, until one is entered") {
+  LookingRig rig({}, 1400, 1300);
+  const auto given = [&] { return rig.session().solver_settings().smooth_options().tolerance; };
+  rig.click("solver/advanced");
+  rig.frames();
+  rig.fill("solver/tolerance", "1e-10");
+  CHECK(given() == 1e-10);
+  rig.fill("solver/tolerance", "1e-4");  // the default of volume meshes
+  CHECK_FALSE(given());
+  rig.open(ring_mesh());
+  rig.frames();
+  rig.fill("solver/tolerance", "1e-4");
+  CHECK(given() == 1e-4);
+  rig.open(LookingRig::cavity());
+  rig.frames();
+  CHECK(given() == 1e-4);  // it was given, so it stays
+}
+
 /// The solver's panel of surface meshes.
 
 TEST_CASE("the solver's options of a surface mesh leave out what such a mesh refuses") {
