@@ -278,7 +278,10 @@ double NewtonRun::carry_and_descend(const Motion& motion, const Path& path, doub
     if (reached < 1) descend(x, reached, share < whole ? many : few, near_enough);
     if (smallest_sine(x) >= least_sine) good = {reached, x};
   }
-  if (reached >= 1) return 1;
+  if (reached >= 1) {
+    recorder_.interior_is_behind();
+    return 1;
+  }
   x = std::move(good.x);
   return good.fraction;
 }
@@ -393,6 +396,7 @@ void NewtonRun::move_in_steps(const Motion& motion, const Coordinates& rest, int
     }
     if (k < increments) approach(x, fraction);
   }
+  recorder_.interior_is_behind();
   converge(x, 1);
 }
 
@@ -421,9 +425,8 @@ bool VariationalRun::descend(Coordinates& x, double fraction, int limit,
   if (descent_) {
     descent_->set_problem(energy_);
   } else {
-    const SmoothOptions& options = workspace().options();
-    descent_ = std::make_unique<EnergyDescent>(energy_,
-                                               DescentOptions{options.tolerance, options.threads});
+    descent_ = std::make_unique<EnergyDescent>(
+        energy_, DescentOptions{workspace().tolerance(), workspace().options().threads});
   }
   const IterationRecord last =
       recorder().iterate(*descent_, x, Stage::descent, fraction, limit, enough);
@@ -557,6 +560,7 @@ class FixedPointMotion {
       if (give_up && recorder_.result().inverted > 0) return false;
     }
     motion_.apply(rest_, 1, x);
+    recorder_.interior_is_behind();
     recorder_.iterate(solver_, x, Stage::picard, 1, max_iterations_,
                       give_up ? RunRecorder::Enough(hopeless) : RunRecorder::Enough());
     return recorder_.result().inverted == 0;

@@ -212,7 +212,7 @@ PicardSolver& SmoothingWorkspace::picard() {
   return *run_.picard.of({problems.plain, linear}, [&] {
     return std::make_unique<PicardSolver>(
         ClipVariants<FixedPointProblem>{problems.plain, problems.clipped}, *linear,
-        equation_options(options_));
+        equation_options(options_, cell_dimension()));
   });
 }
 
@@ -220,7 +220,8 @@ EquationNewton& SmoothingWorkspace::pointwise_newton() {
   const ClipVariants<EquationProblem> problems = pointwise();
   const auto& linear = general_solver(made_.newton_linear);
   return *run_.pointwise_newton.of({problems.plain, linear}, [&] {
-    return std::make_unique<EquationNewton>(problems, *linear, equation_options(options_));
+    return std::make_unique<EquationNewton>(problems, *linear,
+                                            equation_options(options_, cell_dimension()));
   });
 }
 
@@ -228,7 +229,8 @@ EnergyNewton& SmoothingWorkspace::newton() {
   const auto problem = energy();
   const auto& linear = shared_symmetric_linear();
   return *run_.newton.of({problem, linear}, [&] {
-    return std::make_unique<EnergyNewton>(problem, *linear, newton_options(options_));
+    return std::make_unique<EnergyNewton>(problem, *linear,
+                                          newton_options(options_, cell_dimension()));
   });
 }
 
