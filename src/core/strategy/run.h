@@ -170,6 +170,8 @@ struct SmoothResult : RunOutcome {
   Index prescribed_inside = 0;  ///< interior nodes that the motion takes
   std::optional<LayersHeld> layers_held;  ///< at held walls of a volume mesh; none: no walls held
   std::vector<IterationRecord> history;
+  /// Memory at the end of the stage of the run that took the most.
+  MemoryUse memory;
 };
 
 /// Why a motion was not completed, as a clause: "flap would touch main at 32.4 % of the way".
@@ -215,6 +217,10 @@ class RunRecorder {
     return iterate(solver, x, stage, fraction, budget_, enough);
   }
 
+  /// Sets a function that adds the memory of what all stages share. Without one no memory is
+  /// counted.
+  void count_memory(std::function<void(MemoryUse&)> shared) { shared_ = std::move(shared); }
+
   /// Outer iterations left of the budget.
   int remaining() const { return budget_ - result_.outer_iterations; }
   /// Removes the common budget: later stages have only their own limits.
@@ -225,9 +231,12 @@ class RunRecorder {
   void restore_outcome(const RunOutcome& earlier) { static_cast<RunOutcome&>(result_) = earlier; }
 
  private:
+  void note_memory(const OuterSolver& solver);
+
   SolverMonitor* monitor_;
   SmoothResult& result_;
   int budget_;
+  std::function<void(MemoryUse&)> shared_;
 };
 
 }  // namespace winslow

@@ -1,5 +1,6 @@
 #include <iterator>
 
+#include "core/error.h"
 #include "io/format/mesh_in_space.h"
 #include "io/format/periodicity.h"
 #include "io/gmsh/gmsh.h"
@@ -119,7 +120,7 @@ class Writer {
   }
 
   std::int64_t node_tag(Index node) const {
-    return details_.node_tags.empty() ? node + 1
+    return details_.node_tags.empty() ? std::int64_t{node} + 1
                                       : details_.node_tags[static_cast<std::size_t>(node)];
   }
   void write_point(Index node) {
@@ -127,10 +128,19 @@ class Writer {
     values_.real(p.x()).real(p.y()).real(p.z());
   }
 
+  /// A tag of a node or an element as version 2.2 holds it.
+  static int short_tag(std::int64_t tag) {
+    constexpr std::int64_t most = std::numeric_limits<int>::max();
+    if (tag <= most) return static_cast<int>(tag);
+    throw UsageError("version 2.2 of Gmsh files holds tags up to " + std::to_string(most) +
+                     ", and the mesh has the tag " + std::to_string(tag) +
+                     ": choose --gmsh-version 4.1");
+  }
+
   void write_nodes_2() {
     out_ << mesh_.coordinates.size() << '\n';
     for (Index i = 0; i < mesh_.coordinates.size(); ++i) {
-      values_.integer(static_cast<int>(node_tag(i)));
+      values_.integer(short_tag(node_tag(i)));
       write_point(i);
       values_.end();
     }
@@ -188,10 +198,10 @@ class Writer {
       if (binary_) values_.integer(type).integer(static_cast<int>(end - begin)).integer(2);
       for (; begin < end; ++begin) {
         const Item& item = items[begin];
-        values_.integer(static_cast<int>(item.tag));
+        values_.integer(short_tag(item.tag));
         if (!binary_) values_.integer(type).integer(2);
         values_.integer(item.physical).integer(item.entity);
-        for (const Index node : nodes_of(item)) values_.integer(static_cast<int>(node_tag(node)));
+        for (const Index node : nodes_of(item)) values_.integer(short_tag(node_tag(node)));
         values_.end();
       }
     }

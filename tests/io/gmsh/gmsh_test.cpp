@@ -167,6 +167,26 @@ TEST_CASE("MSH: the version asked for is written") {
   CHECK_FALSE(std::filesystem::exists(folder / "b.msh"));
 }
 
+TEST_CASE("MSH: tags beyond what version 2.2 holds are refused, not cut off") {
+  const TemporaryFolder folder;
+  write_text(folder / "a.msh", odd_4);  // with node 1000000000000
+  const io::MeshFile file = io::read_mesh(folder / "a.msh");
+  io::WriteOptions options;
+  for (const bool binary : {false, true}) {
+    options.gmsh_version = "2.2";
+    options.binary = binary;
+    CHECK_THROWS_WITH_AS(
+        io::write_mesh(folder / "b.msh", file.mesh, file.details.get(), options),
+        "version 2.2 of Gmsh files holds tags up to 2147483647, and the mesh has the tag "
+        "1000000000000: choose --gmsh-version 4.1",
+        UsageError);
+    CHECK_FALSE(std::filesystem::exists(folder / "b.msh"));
+    options.gmsh_version = "4.1";
+    io::write_mesh(folder / "c.msh", file.mesh, file.details.get(), options);
+    CHECK(io::read_mesh(folder / "c.msh").mesh.coordinates == file.mesh.coordinates);
+  }
+}
+
 TEST_CASE("MSH: CRLF is accepted") {
   for (const std::string& text : {square_2, square_4}) {
     std::string crlf;
