@@ -111,6 +111,9 @@ class EnergyDescent final : public OuterSolver {
     std::vector<double> gradient;
     Validity validity;
   };
+  struct Reached {
+    double residual, energy;
+  };
   bool fits() const;
   void precondition(const Coordinates& x);
   bool descend(const Coordinates& x);
@@ -136,7 +139,7 @@ class EnergyDescent final : public OuterSolver {
   int since_built_ = -1;  // iterations with this preconditioner; negative: there is none yet
   double built_at_ = 0;   // scaled residual for which it was made
   bool stalled_ = false;
-  std::vector<double> residuals_;  // after each step since start()
+  std::vector<Reached> history_;  // after each step since start()
 };
 
 }  // namespace winslow
