@@ -64,7 +64,7 @@ class Report(ProgramTest):
         self.assertNotIn("Memory", self.winslow(*MOVE).stdout)
         self.assertEqual(self.winslow(*MOVE, "--memory", "--quiet").stdout, "")
         # Nothing is solved: only the peak is known.
-        self.winslow("scramble", "ring.su2", "-o", "out.su2", "--report", "r.json")
+        self.winslow("scramble", "ring.su2", "-o", "out.su2", "--report", "r.json", code=INVERTED)
         self.assertIsNone(self.json("r.json")["memory_bytes"])
 
     def test_says_the_version_and_the_sizes_of_the_markers(self):

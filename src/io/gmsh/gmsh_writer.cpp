@@ -128,19 +128,24 @@ class Writer {
     values_.real(p.x()).real(p.y()).real(p.z());
   }
 
-  /// A tag of a node or an element as version 2.2 holds it.
-  static int short_tag(std::int64_t tag) {
+  /// A tag of a node or an element: as long as it is in a text file, an int in a binary one.
+  void write_tag_2(std::int64_t tag) {
     constexpr std::int64_t most = std::numeric_limits<int>::max();
-    if (tag <= most) return static_cast<int>(tag);
-    throw UsageError("version 2.2 of Gmsh files holds tags up to " + std::to_string(most) +
-                     ", and the mesh has the tag " + std::to_string(tag) +
-                     ": choose --gmsh-version 4.1");
+    if (!binary_) {
+      values_.size(tag);
+    } else if (tag <= most) {
+      values_.integer(static_cast<int>(tag));
+    } else {
+      throw UsageError("binary Gmsh files of version 2.2 hold tags up to " + std::to_string(most) +
+                       ", and the mesh has the tag " + std::to_string(tag) +
+                       ": choose --ascii or --gmsh-version 4.1");
+    }
   }
 
   void write_nodes_2() {
     out_ << mesh_.coordinates.size() << '\n';
     for (Index i = 0; i < mesh_.coordinates.size(); ++i) {
-      values_.integer(short_tag(node_tag(i)));
+      write_tag_2(node_tag(i));
       write_point(i);
       values_.end();
     }
@@ -198,10 +203,10 @@ class Writer {
       if (binary_) values_.integer(type).integer(static_cast<int>(end - begin)).integer(2);
       for (; begin < end; ++begin) {
         const Item& item = items[begin];
-        values_.integer(short_tag(item.tag));
+        write_tag_2(item.tag);
         if (!binary_) values_.integer(type).integer(2);
         values_.integer(item.physical).integer(item.entity);
-        for (const Index node : nodes_of(item)) values_.integer(short_tag(node_tag(node)));
+        for (const Index node : nodes_of(item)) write_tag_2(node_tag(node));
         values_.end();
       }
     }

@@ -283,7 +283,8 @@ TEST_CASE("of faults in a mesh that several threads go through, the first is nam
   CHECK(data.coordinates.xyz(error.index()) == Vec3(3, 3, 3) / n);
 
   // An element three times, at either end: the face of the lowest nodes is the first.
-  MeshData thrice = cubes_with_holes(n, Volumes::hexahedra, [](Index, Index, Index) { return false; });
+  MeshData thrice =
+      cubes_with_holes(n, Volumes::hexahedra, [](Index, Index, Index) { return false; });
   for (const Index e : {thrice.element_count() - 1, Index{5}}) {
     const std::vector<Index> corners(thrice.element(e).begin(), thrice.element(e).end());
     for (int k = 0; k < 2; ++k) thrice.add_element(ElementType::hexahedron, corners);
