@@ -1,6 +1,5 @@
 #include <iterator>
 
-#include "core/error.h"
 #include "io/format/mesh_in_space.h"
 #include "io/format/periodicity.h"
 #include "io/gmsh/gmsh.h"
@@ -120,7 +119,7 @@ class Writer {
   }
 
   std::int64_t node_tag(Index node) const {
-    return details_.node_tags.empty() ? std::int64_t{node} + 1
+    return details_.node_tags.empty() ? node + 1
                                       : details_.node_tags[static_cast<std::size_t>(node)];
   }
   void write_point(Index node) {
@@ -128,24 +127,10 @@ class Writer {
     values_.real(p.x()).real(p.y()).real(p.z());
   }
 
-  /// A tag of a node or an element: as long as it is in a text file, an int in a binary one.
-  void write_tag_2(std::int64_t tag) {
-    constexpr std::int64_t most = std::numeric_limits<int>::max();
-    if (!binary_) {
-      values_.size(tag);
-    } else if (tag <= most) {
-      values_.integer(static_cast<int>(tag));
-    } else {
-      throw UsageError("binary Gmsh files of version 2.2 hold tags up to " + std::to_string(most) +
-                       ", and the mesh has the tag " + std::to_string(tag) +
-                       ": choose --ascii or --gmsh-version 4.1");
-    }
-  }
-
   void write_nodes_2() {
     out_ << mesh_.coordinates.size() << '\n';
     for (Index i = 0; i < mesh_.coordinates.size(); ++i) {
-      write_tag_2(node_tag(i));
+      values_.integer(static_cast<int>(node_tag(i)));
       write_point(i);
       values_.end();
     }
@@ -203,10 +188,10 @@ class Writer {
       if (binary_) values_.integer(type).integer(static_cast<int>(end - begin)).integer(2);
       for (; begin < end; ++begin) {
         const Item& item = items[begin];
-        write_tag_2(item.tag);
+        values_.integer(static_cast<int>(item.tag));
         if (!binary_) values_.integer(type).integer(2);
         values_.integer(item.physical).integer(item.entity);
-        for (const Index node : nodes_of(item)) write_tag_2(node_tag(node));
+        for (const Index node : nodes_of(item)) values_.integer(static_cast<int>(node_tag(node)));
         values_.end();
       }
     }

@@ -167,30 +167,6 @@ TEST_CASE("MSH: the version asked for is written") {
   CHECK_FALSE(std::filesystem::exists(folder / "b.msh"));
 }
 
-TEST_CASE("MSH 2.2: tags longer than an int come back, and are refused where they do not fit") {
-  std::string text = square_2;
-  const auto replace_all = [&](const std::string& from, const std::string& to) {
-    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-      text.replace(at, from.size(), to);
-  };
-  replace_all("\n5 0.5 0.5 0\n", "\n3000000000 0.5 0.5 0\n");
-  replace_all(" 5\n", " 3000000000\n");
-  replace_all(" 5 ", " 3000000000 ");
-  const TemporaryFolder folder;
-  write_text(folder / "a.msh", text);
-  const io::MeshFile file = io::read_mesh(folder / "a.msh");
-  io::write_mesh(folder / "b.msh", file.mesh, file.details.get());
-  CHECK(read_text(folder / "b.msh") == text);
-  io::WriteOptions options;
-  options.binary = true;
-  options.gmsh_version = "2.2";
-  CHECK_THROWS_WITH_AS(io::write_mesh(folder / "c.msh", file.mesh, file.details.get(), options),
-                       "binary Gmsh files of version 2.2 hold tags up to 2147483647, and the mesh "
-                       "has the tag 3000000000: choose --ascii or --gmsh-version 4.1",
-                       UsageError);
-  CHECK_FALSE(std::filesystem::exists(folder / "c.msh"));
-}
-
 TEST_CASE("MSH: CRLF is accepted") {
   for (const std::string& text : {square_2, square_4}) {
     std::string crlf;
