@@ -45,6 +45,11 @@ class Prolongation {
   /// coarse = P^T r.
   void restrict(std::span<const Real> r, std::span<Real> coarse, int threads, int width = 1) const;
 
+  std::size_t bytes() const {
+    return bytes_of(strong_, offsets_, columns_, own_, entry_, values_) +
+           bytes_of(transposed_offsets_, transposed_rows_, transposed_entries_);
+  }
+
   Index coarse_rows() const { return static_cast<Index>(transposed_offsets_.size()) - 1; }
 
   /// P^T A P. The first call computes the pattern.

@@ -154,6 +154,13 @@ void EnergyDescent::set_problem(std::shared_ptr<const EnergyProblem> problem) {
   rates_.resize(problem_->unknowns());
 }
 
+void EnergyDescent::rest() {
+  memory_.release();
+  laplacian_.values = {};
+  trial_ = {};
+  for (auto* v : {&gradient_, &preconditioned_, &direction_, &places_, &scales_, &rates_}) *v = {};
+}
+
 /// The largest scaled residual, with the scales of the mesh where these were found.
 double EnergyDescent::scaled_residual() const {
   std::vector<double> largest(block_count(form_->rows()), 0.0);

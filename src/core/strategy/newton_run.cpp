@@ -431,6 +431,7 @@ bool VariationalRun::descend(Coordinates& x, double fraction, int limit,
   const IterationRecord last =
       recorder().iterate(*descent_, x, Stage::descent, fraction, limit, enough);
   recorder().result().linear_solver = descent_->description();
+  if (!recorder().result().converged) descent_->rest();  // Newton's method needs much memory
   return near_enough(last) && !(last.inverted > 0);
 }
 

@@ -73,6 +73,14 @@ class Checkpoints {
 
 }  // namespace
 
+void RunRecorder::note_memory(const OuterSolver& solver) {
+  if (!shared_) return;
+  MemoryUse use;
+  shared_(use);
+  solver.count(use);
+  if (use.total() > result_.memory.total()) result_.memory = use;
+}
+
 IterationRecord RunRecorder::iterate(OuterSolver& solver, Coordinates& x, Stage stage,
                                      double fraction, int limit, const Enough& enough) {
   const Checkpoints checkpoints(solver, monitor_);
@@ -96,6 +104,7 @@ IterationRecord RunRecorder::iterate(OuterSolver& solver, Coordinates& x, Stage 
     counted = solver.linear_solves();
     report(record, x, stage, fraction, true);
   }
+  note_memory(solver);
   result_.converged = solver.converged();
   result_.stuck_nodes = solver.stuck_nodes();
   if (result_.converged) result_.out_of_iterations = false;

@@ -171,6 +171,8 @@ struct SmoothResult : RunOutcome {
   Index prescribed_inside = 0;  ///< interior nodes that the motion takes
   std::optional<LayersHeld> layers_held;  ///< at held walls of a volume mesh; none: no walls held
   std::vector<IterationRecord> history;
+  /// Memory at the end of the stage of the run that took the most.
+  MemoryUse memory;
 };
 
 /// Why a motion was not completed, as a clause: "flap would touch main at 32.4 % of the way".
@@ -222,6 +224,10 @@ class RunRecorder {
   /// every iteration lowers the residual.
   void interior_is_behind() { interior_is_behind_ = true; }
 
+  /// Sets a function that adds the memory of what all stages share. Without one no memory is
+  /// counted.
+  void count_memory(std::function<void(MemoryUse&)> shared) { shared_ = std::move(shared); }
+
   /// Outer iterations left of the budget.
   int remaining() const { return budget_ - result_.outer_iterations; }
   /// Removes the common budget: later stages have only their own limits.
@@ -232,11 +238,14 @@ class RunRecorder {
   void restore_outcome(const RunOutcome& earlier) { static_cast<RunOutcome&>(result_) = earlier; }
 
  private:
+  void note_memory(const OuterSolver& solver);
+
   SolverMonitor* monitor_;
   SmoothResult& result_;
   int budget_;
   bool interior_is_behind_ = false;
   double caught_up_ = std::numeric_limits<double>::infinity();  // residual at which it no longer is
+  std::function<void(MemoryUse&)> shared_;
 };
 
 }  // namespace winslow

@@ -246,6 +246,16 @@ SmoothingWorkspace::TimesMade SmoothingWorkspace::times_made() const {
               made_.newton_linear.times_made()};
 }
 
+void SmoothingWorkspace::count(MemoryUse& use) const {
+  if (const auto* form = made_.form.kept()) (*form)->count(use);
+  if (const auto* pattern = made_.pointwise_pattern.kept())
+    use.structure += (*pattern)->rows->bytes();
+  if (const auto* vcvs = made_.computed_vcvs.kept()) use.targets += vcvs->vcvs->bytes();
+  if (run_.adjusted.vcvs) use.targets += run_.adjusted.vcvs->bytes();
+  for (const KeyedSolver* solver : {&made_.linear, &made_.symmetric_linear, &made_.newton_linear})
+    if (const auto* linear = solver->kept()) (*linear)->count(use);
+}
+
 SolverCache::SolverCache() = default;
 SolverCache::~SolverCache() = default;
 SolverCache::SolverCache(SolverCache&& other) noexcept = default;

@@ -38,6 +38,8 @@ class Keyed {
     }
     return kept_->product;
   }
+  /// The product that is kept; null: none.
+  const Product* kept() const { return kept_ ? &kept_->product : nullptr; }
   /// How often a product was made.
   std::size_t times_made() const { return times_made_; }
 
@@ -142,6 +144,8 @@ class SmoothingWorkspace {
     std::size_t energy_patterns, pointwise_patterns, targets, vcvs, linear_solvers;
   };
   TimesMade times_made() const;
+  /// Adds the memory of all products but outer solvers.
+  void count(MemoryUse& use) const;
 
  private:
   using Classes = std::shared_ptr<const NodeClasses>;
