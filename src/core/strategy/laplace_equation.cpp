@@ -76,9 +76,7 @@ LaplaceEquation::LaplaceEquation(const Topology& topology, const Coordinates& x,
     nodes_.push_back(node);
   }
   const auto count = static_cast<Index>(nodes_.size());
-  constexpr Index most_blocks = 16;  // each has a list as long as the mesh
-  const Index block = std::max(parallel_block, count / most_blocks + 1);
-  matrix_.pattern = build_pattern(count, block, threads_, [&] {
+  matrix_.pattern = build_pattern(count, few_blocks(count), threads_, [&] {
     return [&, seen = std::vector<Index>(nodes_.size(), -1)](Index row,
                                                              std::vector<Index>& columns) mutable {
       for (const Index e : topology_.star(nodes_[at(row)]))
@@ -96,9 +94,8 @@ LaplaceEquation::LaplaceEquation(const Topology& topology, const Coordinates& x,
 /// work(begin, end) for ranges of rows, on several threads.
 template <typename Work>
 void LaplaceEquation::each_row(const Work& work) const {
-  constexpr Index most_blocks = 16;
   const auto count = static_cast<Index>(nodes_.size());
-  parallel_for(threads_, count, work, std::max(parallel_block, count / most_blocks + 1));
+  parallel_for(threads_, count, work, few_blocks(count));
 }
 
 /// visit(simplex, volume) for the corner simplices of an element that are not inverted.
