@@ -248,7 +248,7 @@ bool is_layered(const Mesh& mesh) {
 
 }  // namespace
 
-/// Carries a whole volume mesh along with rigid bodies, by as much at once as leaves it valid, and
+/// Carries a whole volume mesh along with its bodies, by as much at once as leaves it valid, and
 /// smooths it a little by first-order steps before the next part. These mend a sheared mesh, which
 /// Newton's method does not, for a fraction of what the path costs. Layers of stretched elements
 /// are better led along the path: a twist shears them. Returns the fraction of the motion reached.

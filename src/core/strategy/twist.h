@@ -5,24 +5,27 @@
 
 namespace winslow {
 
-/// Carries a whole mesh along with rigid bodies, as a start for its smoothing:
+/// Carries a whole mesh along with its bodies, as a start for its smoothing:
 ///
 ///     if (const auto twist = Twist::find(classes, x, motion, threads)) twist->carry(0, 1, x);
 ///
-/// Each node follows a screw motion. Its twist is the sum of those of the bodies times the weights
-/// of the node. For each body, u solves the p-Laplace equation on the mesh (LaplaceEquation) with
-/// u = 1 on the body, and u = 0 on other bodies and on all fixed nodes. If nothing is fixed, the
-/// weights add up to 1.
+/// Each node follows a screw motion. Its twist is the sum of those of the rigid bodies times the
+/// weights of the node. For each body, u solves the p-Laplace equation on the mesh
+/// (LaplaceEquation) with u = 1 on the body, and u = 0 on other bodies and on all fixed nodes. If
+/// nothing is fixed, the weights add up to 1.
 ///
 /// In space p = 3, and u is the weight. It spreads the shear: the twist of an ellipsoid in a tight
 /// box by 90 degrees inverts no element where p = 2 inverts 66. In the plane p = 2. With
 /// S(u) = u^2 (3 - 2 u) and U the sum of u over the bodies, the weight of a body is there
 /// S(U) S(u) over the sum of S(u). Near bodies the gradient of these weights vanishes, so layers
 /// there move as rigid bodies.
+///
+/// Bodies that deform, as by tables of displacements, add a displacement: the field that is theirs
+/// on them and 0 on all other bodies and fixed nodes, by the p-Laplace equation as well.
 class Twist {
  public:
-  /// x: a valid mesh before the motion. None unless all bodies are rigid. classes outlives the
-  /// result.
+  /// x: a valid mesh before the motion. None in the plane unless all bodies are rigid: there the
+  /// path is as fast. classes outlives the result.
   static std::optional<Twist> find(const NodeClasses& classes, const Coordinates& x,
                                    const Motion& motion, int threads);
 
@@ -31,7 +34,7 @@ class Twist {
   /// curved. All other nodes stay. No body may turn by more than 180 degrees at once.
   void carry(double from, double to, Coordinates& x) const;
 
-  /// The largest angle by which a body turns during the whole motion, in degrees.
+  /// The largest angle by which a rigid body turns during the whole motion, in degrees.
   double largest_turn() const;
 
  private:
@@ -43,8 +46,9 @@ class Twist {
   Twist(const NodeClasses& classes, const Vec3& origin) : classes_(classes), origin_(origin) {}
 
   const NodeClasses& classes_;
-  Vec3 origin_;  // to which the twists refer
-  std::vector<Body> bodies_;
+  Vec3 origin_;                      // to which the twists refer
+  std::vector<Body> bodies_;         // rigid ones
+  std::vector<Vec3> displacements_;  // #nodes, by the other bodies in the whole motion; or none
 };
 
 }  // namespace winslow

@@ -251,7 +251,129 @@ TEST_CASE("Stretched layers of a volume are led along the path") {
   CHECK(on_path > 0);
 }
 
-TEST_CASE("Only rigid bodies carry a mesh along") {
+TEST_CASE("Displacements that are linear on the boundary of a volume are linear inside") {
+  for (const Volumes volumes : all_volumes) {
+    CAPTURE(name_of(volumes));
+    const Mesh mesh = make_mesh(cube(4, volumes));
+    const auto way = [&](Index node) {
+      const Vec3 p = mesh.coordinates.xyz(node);
+      return Vec3(0.3 * p.x() - 0.1 * p.z(), 0.2 * p.x() + 0.1, -0.4 * p.y());
+    };
+    std::vector<Index> nodes;
+    std::vector<Vec3> ways;
+    for (Index node = 0; node < mesh.coordinates.size(); ++node) {
+      if (!mesh.topology->on_boundary(node)) continue;
+      nodes.push_back(node);
+      ways.push_back(way(node));
+    }
+    const auto motion = straight_motion<3>(nodes, ways);
+    const NodeClasses classes = classes_for(mesh, *motion);
+    const auto twist = Twist::find(classes, mesh.coordinates, *motion, 1);
+    REQUIRE(twist);
+    CHECK(twist->largest_turn() == 0);
+    Coordinates half = mesh.coordinates, whole = mesh.coordinates;
+    for (const double fraction : {0.5, 1.0}) {
+      motion->apply(mesh.coordinates, fraction, whole);
+      twist->carry(fraction - 0.5, fraction, whole);
+      if (fraction == 0.5) half = whole;
+    }
+    double worst = 0;
+    for (Index node = 0; node < mesh.coordinates.size(); ++node) {
+      const Vec3 rest = mesh.coordinates.xyz(node);
+      worst = std::max(worst, (half.xyz(node) - rest - 0.5 * way(node)).norm());
+      worst = std::max(worst, (whole.xyz(node) - rest - way(node)).norm());
+    }
+    CHECK(worst < 0.02);  // conductivities of the first iterates are not constant
+  }
+}
+
+namespace {
+
+/// A motion of several bodies of any kind.
+class Together final : public Motion {
+ public:
+  explicit Together(std::vector<std::unique_ptr<Motion>> bodies) : bodies_(std::move(bodies)) {
+    for (const auto& body : bodies_)
+      nodes_.insert(nodes_.end(), body->nodes().begin(), body->nodes().end());
+    std::ranges::sort(nodes_);
+  }
+  std::span<const Index> nodes() const override { return nodes_; }
+  void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
+    for (const auto& body : bodies_) body->apply(rest, fraction, out);
+  }
+  std::span<const std::unique_ptr<Motion>> bodies() const override { return bodies_; }
+
+ private:
+  std::vector<std::unique_ptr<Motion>> bodies_;
+  std::vector<Index> nodes_;
+};
+
+}  // namespace
+
+TEST_CASE("A body that a table shifts carries a volume as a rigid body does") {
+  const Mesh mesh = box_with_body(9, Volumes::tetrahedra);
+  const Topology& topology = *mesh.topology;
+  const auto rigid = [&](double rotate, const std::string& marker, const Vec3& shift) {
+    RigidMotion motion = space_motion(rotate, {0, 0, 1}, shift);
+    return make_motion(topology, mesh.coordinates, {marker}, motion);
+  };
+  const auto as_table = [&](const Motion& motion) {
+    Coordinates end = mesh.coordinates;
+    motion.apply(mesh.coordinates, 1, end);
+    std::vector<Index> nodes(motion.nodes().begin(), motion.nodes().end());
+    std::vector<Vec3> ways;
+    for (const Index node : nodes) ways.push_back(end.xyz(node) - mesh.coordinates.xyz(node));
+    return straight_motion<3>(nodes, ways);
+  };
+  const auto shifted = rigid(0, "body", {0.1, 0.05, -0.1});
+  const auto table = as_table(*shifted);
+  const Coordinates by_table = carried(mesh, *table), by_weight = carried(mesh, *shifted);
+  CHECK(largest_difference(by_table, mesh.coordinates) > 0.1);
+  CHECK(largest_difference(by_table, by_weight) < 1e-4);
+
+  // Beside another body, too.
+  const std::string other = std::ranges::find_if(topology.markers(), [](const Marker& m) {
+                              return m.name != "body";
+                            })->name;
+  std::vector<std::unique_ptr<Motion>> rigid_bodies, mixed;
+  rigid_bodies.push_back(rigid(0, "body", {0.1, 0.05, -0.1}));
+  rigid_bodies.push_back(rigid(0, other, {0.02, 0, 0.03}));
+  mixed.push_back(as_table(*rigid_bodies[0]));
+  mixed.push_back(rigid(0, other, {0.02, 0, 0.03}));
+  const Coordinates all_rigid = carried(mesh, Together(std::move(rigid_bodies)));
+  const Coordinates one_by_table = carried(mesh, Together(std::move(mixed)));
+  CHECK(largest_difference(all_rigid, mesh.coordinates) > 0.1);
+  // The two ways scale the fields differently, which changes the conductivities.
+  CHECK(largest_difference(one_by_table, all_rigid) < 0.02);
+}
+
+TEST_CASE("A volume whose body bends goes by displacements to the mesh at the end of the path") {
+  const MeshState state = make_state(box_with_body(9, Volumes::tetrahedra));
+  const auto moved = [&](OuterMethod outer) {
+    DeformCommand command;
+    command.markers = {"body"};
+    command.shape = SineDeformation{
+        .amplitude = 0.06, .waves = 0.25, .direction = Vec3(0, 0, 1), .along = Vec3(1, 0, 0)};
+    command.smooth.outer = outer;
+    command.smooth.threads = 1;
+    command.smooth.tolerance = 1e-10;
+    return execute(command, state);
+  };
+  const CommandResult by_displacements = moved(OuterMethod::descent);
+  CHECK(by_displacements.smooth.converged);
+  CHECK(by_displacements.smooth.fraction_reached == 1);
+  CHECK(by_displacements.smooth.linear_solves == 0);
+  for (const IterationRecord& record : by_displacements.smooth.history) {
+    CHECK(record.inverted == 0);
+    CHECK(record.stage == Stage::descent);
+  }
+  const CommandResult by_path = moved(OuterMethod::newton);
+  CHECK(by_path.smooth.converged);
+  CHECK(largest_difference(by_displacements.state.mesh.coordinates,
+                           by_path.state.mesh.coordinates) < 1e-7);
+}
+
+TEST_CASE("In the plane only rigid bodies carry a mesh along") {
   const Mesh mesh = make_mesh(square_with_hole(10, Cells::triangles));
   const auto turn =
       make_motion(*mesh.topology, mesh.coordinates, {"hole"}, RigidMotion{.rotate = 9});
