@@ -25,8 +25,10 @@ double EnergyUntangler::forcing() const {
   // In the plane the error of a looser solve may exceed the size of the triangles at a small body.
   // In space a looser solve needs as many steps, each in half the time; but the harmonic step is a
   // single one and must be accurate.
-  const double loosest = hessian_.block == 3 && !harmonic_step() ? 1e-3 : 1e-6;
-  return std::min(linear_tolerance_, loosest);
+  constexpr double accurate = 1e-6, loosening = 10, loosest = 0.1;
+  const bool may_be_loose = hessian_.block == 3 && !harmonic_step();
+  return may_be_loose ? std::min(loosening * linear_tolerance_, loosest)
+                      : std::min(linear_tolerance_, accurate);
 }
 
 /// Measures the sizes once. If they were measured again as the mesh changes, the regularisation

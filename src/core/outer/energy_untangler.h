@@ -22,10 +22,10 @@ enum class Interior {
 /// these are.
 class EnergyUntangler final : public OuterSolver {
  public:
-  /// linear_tolerance: relative residual of a linear solve, tightened to 1e-6. reference:
-  /// coordinates that give the sizes of the cells, e.g. the mesh before its boundary moved; null:
-  /// the initial mesh. It and the linear solver outlive this object. The first step computes a
-  /// harmonic interior if chosen.
+  /// linear_tolerance: relative residual of a linear solve, tightened to 1e-6; in space ten times
+  /// it, but for the harmonic interior. reference: coordinates that give the sizes of the cells,
+  /// e.g. the mesh before its boundary moved; null: the initial mesh. It and the linear solver
+  /// outlive this object. The first step computes a harmonic interior if chosen.
   EnergyUntangler(std::shared_ptr<const UntanglingProblem> problem, LinearSolver& linear,
                   double linear_tolerance, const Coordinates* reference, Interior interior);
 
