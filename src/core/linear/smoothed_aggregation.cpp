@@ -209,7 +209,7 @@ void Prolongation::transpose() {
 
 void Prolongation::build(const SparseMatrix& matrix, int threads) {
   with_block(block_, [&](auto size) {
-    values_.resize(columns_.size() * at(size() * size()));
+    values_.resize(columns_.size() * at(size() * size()) + block_tail);
     parallel_for(worthwhile(threads, matrix.values.size()), rows_,
                  [&](Index begin, Index end) { build_rows<size()>(matrix, begin, end); });
   });
@@ -260,13 +260,36 @@ void Prolongation::prolong(std::span<const Real> coarse, std::span<Real> x, std:
     constexpr int B = size(), N = count();
     parallel_for(worthwhile(threads, values_.size()), rows_, [&](Index begin, Index end) {
       for (auto i = at(begin); i < at(end); ++i) {
-        for (auto e = at(offsets_[i]); e < at(offsets_[i + 1]); ++e) {
-          multiply_add_row<B, N>(&values_[e * B * B], &coarse[at(columns_[e]) * N], &x[i * N]);
-        }
-        std::copy_n(&x[i * N], N, &copy[i * N]);
+        const Row<N> sum =
+            load_row<N>(&x[i * N]) + interpolated<B, N>(offsets_[i], offsets_[i + 1], coarse);
+        store_row<N>(sum, &x[i * N]);
+        store_row<N>(sum, &copy[i * N]);
       }
     });
   });
+}
+
+/// A row of P, its entries [first, last), times coarse numbers.
+template <int B, int N>
+Row<N> Prolongation::interpolated(Index first, Index last, std::span<const Real> coarse) const {
+  Row<N> sums[B]{};  // B > 1: of the products of a row of the block, number by number
+  for (auto e = at(first); e < at(last); ++e) {
+    const Row<N> from = load_row<N>(&coarse[at(columns_[e]) * N]);
+    const Real* p = &values_[e * B * B];
+    for (std::size_t r = 0; r < B; ++r) {
+      if constexpr (B == 1)
+        sums[r] += p[0] * from;
+      else
+        sums[r] += load_row<N>(p + r * B) * from;
+    }
+  }
+  if constexpr (B == 1) return sums[0];
+  Row<N> out{};
+  for (int r = 0; r < B; ++r) {
+    out[r] = sums[r][0];
+    for (int c = 1; c < B; ++c) out[r] += sums[r][c];
+  }
+  return out;
 }
 
 void Prolongation::restrict(std::span<const Real> r, std::span<Real> coarse, int threads,
@@ -278,65 +301,30 @@ void Prolongation::restrict(std::span<const Real> r, std::span<Real> coarse, int
         worthwhile(threads, values_.size()), coarse_rows(),
         [&](Index begin, Index end) {
           for (auto a = at(begin); a < at(end); ++a) {
-            Real sum[N]{};
-            for (auto t = at(transposed_offsets_[a]); t < at(transposed_offsets_[a + 1]); ++t) {
-              const Real* p = &values_[at(transposed_entries_[t]) * B * B];
-              const Real* from = &r[at(transposed_rows_[t]) * N];
-              if constexpr (N != B) {
-                for (std::size_t c = 0; c < N; ++c) sum[c] += p[0] * from[c];
-              } else {
-                for (std::size_t k = 0; k < B; ++k) {
-                  for (std::size_t c = 0; c < B; ++c) sum[c] += p[k * B + c] * from[k];
-                }
-              }
-            }
-            std::copy_n(sum, N, &coarse[a * N]);
+            // The rows of a block are the columns of its transpose.
+            BlockSum<size(), count()> sum;
+            for (auto t = at(transposed_offsets_[a]); t < at(transposed_offsets_[a + 1]); ++t)
+              sum.add(&values_[at(transposed_entries_[t]) * B * B],
+                      &r[at(transposed_rows_[t]) * N]);
+            store_row<N>(sum.total(), &coarse[a * N]);
           }
         },
         coarse_block);
   });
 }
 
-namespace {
-
-/// Rows of the coarse matrix per block: there are few rows, and each is expensive.
-constexpr Index coarse_block = 256;
-
-/// See BlockKernel.
-template <int B>
-void add_triple_products(const Real* left, const double* a, const Real* right, const Index* columns,
-                         Index count, const Index* slot_of, double* coarse) {
-  constexpr std::ptrdiff_t size = std::ptrdiff_t{B} * B;
-  double product[B * B]{};  // left^T a
-  for (int r = 0; r < B; ++r) {
-    for (int k = 0; k < B; ++k) {
-      for (int c = 0; c < B; ++c)
-        product[r * B + c] += static_cast<double>(left[k * B + r]) * a[k * B + c];
-    }
-  }
-  for (Index q = 0; q < count; ++q, right += size) {
-    double* to = coarse + at(slot_of[columns[q]]) * B * B;
-    for (int r = 0; r < B; ++r) {
-      for (int k = 0; k < B; ++k) {
-        for (int c = 0; c < B; ++c)
-          to[r * B + c] += product[r * B + k] * static_cast<double>(right[k * B + c]);
-      }
-    }
-  }
-}
-
-}  // namespace
-
 void Prolongation::galerkin(const SparseMatrix& matrix, SparseMatrix& coarse, int threads) const {
   if (!coarse.pattern) coarse.pattern = galerkin_pattern(*matrix.pattern, threads);
   coarse.block = block_;
   coarse.symmetric = true;
   coarse.values.resize(coarse.pattern->columns.size() * at(block_ * block_));
+  // Few blocks, since the work memory of each is as large as both levels.
+  constexpr Index most_blocks = 32, least = 256;
+  const Index block = std::max(least, coarse_rows() / most_blocks + 1);
   with_block(block_, [&](auto size) {
     parallel_for(
         threads, coarse_rows(),
-        [&](Index begin, Index end) { galerkin_rows<size()>(matrix, coarse, begin, end); },
-        coarse_block);
+        [&](Index begin, Index end) { galerkin_rows<size()>(matrix, coarse, begin, end); }, block);
   });
 }
 
@@ -344,6 +332,7 @@ void Prolongation::galerkin(const SparseMatrix& matrix, SparseMatrix& coarse, in
 /// and the rows j of P.
 std::shared_ptr<const SparsityPattern> Prolongation::galerkin_pattern(const SparsityPattern& fine,
                                                                       int threads) const {
+  constexpr Index coarse_block = 256;  // few rows, each expensive
   const auto begin_block = [&] {
     return [&, seen = std::vector<Index>(at(coarse_rows()), -1)](
                Index a, std::vector<Index>& columns) mutable {
@@ -361,13 +350,136 @@ std::shared_ptr<const SparsityPattern> Prolongation::galerkin_pattern(const Spar
   return build_pattern(coarse_rows(), coarse_block, threads, begin_block);
 }
 
+namespace {
+
+/// See BlockKernel; for blocks of other sizes, without padding.
+template <int B>
+struct PlainProducts {
+  static void add_products(const double* a, const Real* right, const Index* columns, Index count,
+                           const Index* slot_of, double* sums) {
+    for (Index q = 0; q < count; ++q, right += B * B) {
+      double* to = sums + at(slot_of[columns[q]]) * B * B;
+      for (int r = 0; r < B; ++r)
+        for (int k = 0; k < B; ++k)
+          for (int c = 0; c < B; ++c)
+            to[r * B + c] += a[r * B + k] * static_cast<double>(right[k * B + c]);
+    }
+  }
+  static void add_transposed_products(const Real* left, const double* from, const Index* columns,
+                                      Index count, const Index* slot_of, double* sums) {
+    for (Index q = 0; q < count; ++q, from += B * B) {
+      double* to = sums + at(slot_of[columns[q]]) * B * B;
+      for (int r = 0; r < B; ++r)
+        for (int k = 0; k < B; ++k)
+          for (int c = 0; c < B; ++c)
+            to[r * B + c] += static_cast<double>(left[k * B + r]) * from[k * B + c];
+    }
+  }
+};
+
+/// Rows of A P, made when first needed: most belong to several rows of P^T A P. They are given up
+/// from time to time, so that they stay in the caches.
+template <int B>
+class RowProducts {
+ public:
+  static constexpr std::size_t stride = B == 3 ? padded_block : B * B;  // numbers a block
+  struct Part {
+    std::span<const Index> columns;
+    const double* blocks;
+  };
+
+  RowProducts(std::size_t rows, std::size_t coarse_rows)
+      : place_of_(rows, -1), slot_of_(coarse_rows, -1) {}
+
+  void forget() {
+    for (const Index row : rows_) place_of_[at(row)] = -1;
+    rows_.clear();
+    columns_.clear();
+    first_.assign(1, 0);
+    blocks_.clear();
+  }
+  std::size_t size() const { return columns_.size(); }
+
+  /// Row i. each_product(visit): visits its products, visit(count, columns, add) for `count` of
+  /// them in these columns, of which add(slot_of, sums) adds that in column c to block slot_of[c].
+  /// The result is valid until the next call.
+  template <typename EachProduct>
+  Part row(Index i, const EachProduct& each_product) {
+    Index& place = place_of_[at(i)];
+    if (place < 0) {
+      place = static_cast<Index>(rows_.size());
+      rows_.push_back(i);
+      make(each_product);
+    }
+    const std::size_t first = first_[at(place)];
+    return {{columns_.data() + first, first_[at(place) + 1] - first},
+            blocks_.data() + stride * first};
+  }
+
+ private:
+  /// Adds a row at the end.
+  template <typename EachProduct>
+  void make(const EachProduct& each_product) {
+    const std::size_t first = columns_.size();
+    each_product([&](Index count, const Index* columns, const auto& add) {
+      for (Index q = 0; q < count; ++q) {
+        Index& slot = slot_of_[at(columns[q])];
+        if (slot >= 0) continue;
+        slot = static_cast<Index>(columns_.size() - first);
+        columns_.push_back(columns[q]);
+        blocks_.resize(blocks_.size() + stride, 0.0);
+      }
+      add(slot_of_.data(), &blocks_[stride * first]);
+    });
+    for (std::size_t k = first; k < columns_.size(); ++k) slot_of_[at(columns_[k])] = -1;
+    first_.push_back(columns_.size());
+  }
+
+  std::vector<Index> place_of_;  // #rows: in the following, or -1
+  std::vector<Index> slot_of_;   // #coarse rows: of the row that is made, or -1
+  std::vector<Index> rows_, columns_;
+  std::vector<std::size_t> first_{0};  // of each row, into columns
+  std::vector<double> blocks_;
+};
+
+}  // namespace
+
+/// In two steps, A P and P^T times it: a row of A P serves all aggregates to which the row
+/// contributes.
 template <int B>
 void Prolongation::galerkin_rows(const SparseMatrix& matrix, SparseMatrix& coarse, Index begin,
                                  Index end) const {
+  constexpr std::size_t kept = 16384;  // blocks of A P
+  constexpr std::size_t row_stride = B == 3 ? 4 : B, stride = RowProducts<B>::stride;
+  [[maybe_unused]] const BlockKernel& kernel = block_kernel();
+  const auto add = [&](auto... arguments) {
+    if constexpr (B == 3)
+      kernel.add_products(arguments...);
+    else
+      PlainProducts<B>::add_products(arguments...);
+  };
+  const auto add_transposed = [&](auto... arguments) {
+    if constexpr (B == 3)
+      kernel.add_transposed_products(arguments...);
+    else
+      PlainProducts<B>::add_transposed_products(arguments...);
+  };
   const SparsityPattern& fine = *matrix.pattern;
   const SparsityPattern& p = *coarse.pattern;
-  const auto add = B == 3 ? block_kernel().add_triple_products : add_triple_products<B>;
-  constexpr std::size_t row_stride = B == 3 ? 4 : B, stride = B == 3 ? padded_block : B * B;
+  RowProducts<B> products(at(rows_), at(coarse_rows()));
+  const auto product_row = [&](Index i) {
+    return products.row(i, [&](const auto& visit) {
+      for (auto e = at(fine.offsets[at(i)]); e < at(fine.offsets[at(i) + 1]); ++e) {
+        const auto j = at(fine.columns[e]), first = at(offsets_[j]);
+        const Index count = offsets_[j + 1] - offsets_[j];
+        if (count == 0) continue;
+        const Index* columns = &columns_[first];
+        visit(count, columns, [&](const Index* slot_of, double* sums) {
+          add(&matrix.values[e * B * B], &values_[first * B * B], columns, count, slot_of, sums);
+        });
+      }
+    });
+  };
   std::vector<Index> slot_of(at(coarse_rows()));
   std::vector<double> sums;  // of one row
   for (auto a = at(begin); a < at(end); ++a) {
@@ -375,15 +487,11 @@ void Prolongation::galerkin_rows(const SparseMatrix& matrix, SparseMatrix& coars
     for (std::size_t s = 0; s < size; ++s) slot_of[at(p.columns[row + s])] = static_cast<Index>(s);
     sums.assign(stride * size, 0.0);
     for (auto t = at(transposed_offsets_[a]); t < at(transposed_offsets_[a + 1]); ++t) {
-      const auto i = at(transposed_rows_[t]);
-      const Real* left = &values_[at(transposed_entries_[t]) * B * B];
-      for (auto e = at(fine.offsets[i]); e < at(fine.offsets[i + 1]); ++e) {
-        const auto j = at(fine.columns[e]);
-        const auto first = at(offsets_[j]);
-        add(left, &matrix.values[e * B * B], &values_[first * B * B], &columns_[first],
-            offsets_[j + 1] - offsets_[j], slot_of.data(), sums.data());
-      }
+      const auto from = product_row(transposed_rows_[t]);
+      add_transposed(&values_[at(transposed_entries_[t]) * B * B], from.blocks, from.columns.data(),
+                     static_cast<Index>(from.columns.size()), slot_of.data(), sums.data());
     }
+    if (products.size() > kept) products.forget();
     double* to = &coarse.values[row * B * B];
     for (std::size_t s = 0; s < size; ++s) {
       for (std::size_t r = 0; r < B; ++r, to += B)
