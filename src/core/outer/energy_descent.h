@@ -111,8 +111,9 @@ class EnergyDescent final : public OuterSolver {
   double energy_ = 0, round_off_ = 0;
   // #rows by 3
   std::vector<double> gradient_, preconditioned_, direction_, places_;
-  std::vector<double> rates_;   // #unknowns
-  std::vector<double> scales_;  // #rows, for the mesh of the last assess()
+  std::vector<double> way_, preconditioned_before_;  // of the last step
+  std::vector<double> rates_;                        // #unknowns
+  std::vector<double> scales_;                       // #rows, for the mesh of the last assess()
   Trial trial_;
   int since_built_ = -1;  // iterations with this preconditioner; negative: there is none yet
   double built_at_ = 0;   // scaled residual for which it was made
