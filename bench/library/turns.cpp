@@ -27,6 +27,7 @@ winslow::MoveCommand turned(double degrees) {
   command.bodies[0].markers = {"flap"};
   command.bodies[0].motion.rotate = degrees;
   command.bodies[0].motion.axis = winslow::Vec3(0.2555, 0.038, 1.5);
+  command.smooth.tolerance = 1e-10;  // that of a MovingMesh
   return command;
 }
 

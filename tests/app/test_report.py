@@ -19,7 +19,7 @@ class Report(ProgramTest):
         report = self.json("r.json")
         for key in ("formulation", "converged", "outer_iterations", "linear_solves", "residual",
                     "inverted", "fraction_reached", "quality", "nodes", "elements", "seconds",
-                    "peak_memory_bytes", "quality_before", "walls", "units"):
+                    "peak_memory_bytes", "memory_bytes", "quality_before", "walls", "units"):
             self.assertIn(key, report)
         for metric in METRICS:
             block = report["quality"][metric]
@@ -39,7 +39,33 @@ class Report(ProgramTest):
         self.assertEqual(report["fraction_reached"], 1)
         self.assertEqual((report["nodes"], report["elements"]), (9 * 24, 2 * 8 * 24))
         self.assertGreater(report["peak_memory_bytes"], 1 << 20)
+        parts = ("mesh", "targets", "structure", "matrix", "preconditioner", "factors", "vectors")
+        self.assertEqual(set(report["memory_bytes"]), set(parts))
+        self.assertEqual(report["commands"][0]["memory_bytes"], report["memory_bytes"])
+        for part in ("mesh", "targets", "structure", "matrix", "factors", "vectors"):
+            self.assertGreater(report["memory_bytes"][part], 0, part)
+        self.assertLess(sum(report["memory_bytes"].values()), report["peak_memory_bytes"])
         self.assertEqual(report["command"], "move")
+
+    def test_says_what_took_the_memory(self):
+        self.ring()
+        lines = self.winslow(*MOVE, "--memory", "--report", "r.json").stdout.splitlines()
+        first = next(k for k, line in enumerate(lines) if line.startswith("Memory: at most "))
+        table = dict((line[:18].strip(), float(line[18:].split()[0])) for line in lines[first + 1:])
+        report = self.json("r.json")
+        for part, count in report["memory_bytes"].items():
+            if count > 0:
+                self.assertAlmostEqual(table[part], count / 1e6, delta=0.051, msg=part)
+            else:
+                self.assertNotIn(part, table)
+        most = float(lines[first].split()[3])
+        self.assertAlmostEqual(sum(table.values()), most, delta=1)
+        self.assertIn("not counted", table)
+        self.assertNotIn("Memory", self.winslow(*MOVE).stdout)
+        self.assertEqual(self.winslow(*MOVE, "--memory", "--quiet").stdout, "")
+        # Nothing is solved: only the peak is known.
+        self.winslow("scramble", "ring.su2", "-o", "out.su2", "--report", "r.json", code=INVERTED)
+        self.assertIsNone(self.json("r.json")["memory_bytes"])
 
     def test_says_the_version_and_the_sizes_of_the_markers(self):
         self.ring()

@@ -52,6 +52,45 @@ class Volume(ProgramTest):
         for n in {n for face in self.markers["far"] for n in face}:
             self.assertEqual(after[n], self.nodes[n])
 
+    def test_it_ends_at_1e_4_and_a_plane_mesh_at_1e_10_unless_a_tolerance_is_given(self):
+        self.winslow("scramble", "box.su2", "-o", "in.su2", "--allow-inverted", code=4)
+        solves = {}
+        for words, most in (((), 1e-4), (("--tolerance", "1e-10"), 1e-10)):
+            self.winslow("smooth", "in.su2", "-o", "o.su2", *words, "--report", "r.json",
+                         "--save-recipe", "recipe.json")
+            self.assertLessEqual(self.json("r.json")["residual"], most)
+            solves[most] = self.json("r.json")["commands"][0]["linear_solves"]
+            given = self.json("recipe.json")["commands"][0]["smooth"].get("tolerance")
+            self.assertEqual(given, most if words else None)
+            self.winslow("replay", "recipe.json", "-o", "again.su2")
+            self.assertEqual(self.path("o.su2").read_bytes(), self.path("again.su2").read_bytes())
+        self.assertLess(solves[1e-4], solves[1e-10])
+        self.winslow("scramble", self.ring(), "-o", "in.su2", "--allow-inverted", code=4)
+        self.winslow("smooth", "in.su2", "-o", "o.su2", "--report", "r.json")
+        self.assertLessEqual(self.json("r.json")["residual"], 1e-10)
+        for command, default in (("smooth", "1e-10; volume meshes: 1e-4"),
+                                 ("move", "1e-10; volume meshes: 1e-4"), ("sweep", "1e-10")):
+            self.assertIn(f"--tolerance NUMBER [{default}]", self.winslow(command, "--help").stdout)
+
+    def test_the_interior_follows_motions_that_are_smaller_than_the_tolerance(self):
+        for angle in ("1e-3", "1e-6"):
+            for words in ((), ("--direct",)):
+                after = {}
+                for name, more in (("loose.su2", ()), ("tight.su2", ("--tolerance", "1e-13"))):
+                    self.winslow("move", "box.su2", "-o", name, "--marker", "body", "--rotate", angle,
+                                 "--axis", "0", "0", "1", *words, *more)
+                    after[name] = read_nodes(self.path(name))
+                ways = [math.dist(a, b) for a, b in zip(after["tight.su2"], self.nodes)]
+                off = [math.dist(a, b) for a, b in zip(after["tight.su2"], after["loose.su2"])]
+                self.assertGreater(max(ways), 0.1 * math.radians(float(angle)))
+                self.assertLess(max(off), 0.02 * max(ways))
+                boundary = {n for faces in self.markers.values() for face in faces for n in face}
+                interior = max(w for n, w in enumerate(ways) if n not in boundary)
+                self.assertGreater(interior, 0.1 * max(ways))
+        self.winslow("move", "box.su2", "-o", "still.su2", "--marker", "body", "--rotate", "0",
+                     "--axis", "0", "0", "1")
+        self.assertEqual(self.path("still.su2").read_bytes(), self.path("box.su2").read_bytes())
+
     def test_a_body_is_deformed_by_a_sine(self):
         self.winslow("deform", "box.su2", "-o", "o.su2", "--marker", "body", "--sine", "0.03", "0.5",
                      "--direction", "0", "0", "1", "--along", "1", "0", "0")

@@ -287,6 +287,7 @@ void print_outcome(const JobFiles& files, const std::vector<ZoneRun>& zones, con
   else
     std::cout << "Nothing written to " << printable(files.output) << " after ";
   std::cout << run.seconds.total << " s\n";
+  if (files.memory) print_memory(std::cout, most_memory(run.commands), peak_memory_bytes());
 }
 
 void print_verdict(const JobFiles& files, const std::vector<ZoneRun>& zones, const RunReport& run,

@@ -41,6 +41,9 @@ void add_job_flags(CLI::App& app, JobFiles& files) {
               "else is said to the standard error");
   group.value("--history", files.history, "FILE.csv",
               "Write a line for every outer iteration as CSV");
+  group.on("--memory", files.memory,
+           "Say how much memory the run took at most, and for what: mesh, targets, matrices, "
+           "preconditioner, ...; --report always has it");
   group.on("--allow-inverted", files.allow_inverted,
            "Write OUT even if elements are inverted (the exit status is still 4)");
   group.on("--accept-partial", files.accept_partial,

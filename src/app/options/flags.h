@@ -65,6 +65,7 @@ struct JobFiles {
   bool allow_inverted = false;
   bool accept_partial = false;  ///< write the last valid mesh of an incomplete motion
   bool quiet = false;
+  bool memory = false;  ///< say what took the memory of the run
   io::WriteOptions encoding;
 };
 
@@ -73,8 +74,8 @@ void add_input(CLI::App& app, std::string& input);
 void add_inputs(CLI::App& app, std::vector<std::string>& inputs);
 /// Declares --zone; `without`: text for the help on what happens without it.
 void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
-/// Declares --zone, -o, --report, --history, --allow-inverted, --accept-partial, --quiet and those
-/// of add_encoding_flags.
+/// Declares --zone, -o, --report, --history, --memory, --allow-inverted, --accept-partial, --quiet
+/// and those of add_encoding_flags.
 void add_job_flags(CLI::App& app, JobFiles& files);
 /// Declares --reference-mesh.
 void add_reference_mesh_flag(CLI::App& app, JobFiles& files);

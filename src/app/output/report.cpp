@@ -179,6 +179,7 @@ json describe_result(const CommandRecord& record) {
                  {"periodic", describe_periodic(r.boundary.periodic)},
                  {"increments", r.increments},
                  {"linear_solver", r.linear_solver},
+                 {"memory_bytes", describe_memory(r.memory)},
                  {"inverted", r.inverted}};
   json pivots = json::array();
   for (const MovingBody& body : record.turned) {
@@ -210,10 +211,25 @@ json describe_totals(const std::vector<CommandRecord>& commands) {
           {"linear_solves", solves},
           {"residual", commands.empty() ? 0.0 : commands.back().result.residual},
           {"fraction_reached", fraction},
-          {"increments", increments}};
+          {"increments", increments},
+          {"memory_bytes", describe_memory(most_memory(commands))}};
 }
 
 }  // namespace
+
+json describe_memory(const MemoryUse& memory) {
+  if (memory.total() == 0) return nullptr;
+  json report;
+  for (const auto& [name, bytes] : memory.parts()) report[std::string(name)] = bytes;
+  return report;
+}
+
+MemoryUse most_memory(const std::vector<CommandRecord>& commands) {
+  MemoryUse most;
+  for (const CommandRecord& c : commands)
+    if (c.result.memory.total() > most.total()) most = c.result.memory;
+  return most;
+}
 
 bool all_converged(const std::vector<CommandRecord>& commands) {
   return std::all_of(commands.begin(), commands.end(),

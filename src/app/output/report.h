@@ -66,6 +66,11 @@ struct RunReport {
 nlohmann::json describe_mesh(const Mesh& mesh, const QualityReport& quality,
                              const QualityReport* before = nullptr);
 
+/// The block "memory_bytes": bytes by part; null where nothing was counted.
+nlohmann::json describe_memory(const MemoryUse& memory);
+/// The memory of the command of a run that took the most.
+MemoryUse most_memory(const std::vector<CommandRecord>& commands);
+
 /// The block "layers": statistics of first_height, thickness, spacing_error, first_error and
 /// orthogonality, counts, and the columns that were cut short.
 nlohmann::json describe_layers(const LayerStack& stack, const Coordinates& x);

@@ -40,6 +40,18 @@ void print_zone_heading(std::ostream& out, const std::string& name) {
   if (!name.empty()) out << name << '\n';
 }
 
+void print_memory(std::ostream& out, const MemoryUse& memory, std::int64_t peak) {
+  constexpr double megabyte = 1e6;
+  const auto line = [&](std::string_view name, double bytes) {
+    out << formatted("  %-16s%10.1f MB\n", std::string(name).c_str(), bytes / megabyte);
+  };
+  out << formatted("Memory: at most %.1f MB\n", static_cast<double>(peak) / megabyte);
+  for (const auto& [name, bytes] : memory.parts())
+    if (bytes > 0) line(name, static_cast<double>(bytes));
+  const double rest = static_cast<double>(peak) - static_cast<double>(memory.total());
+  if (memory.total() > 0 && rest > 0) line("not counted", rest);
+}
+
 void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality) {
   out << formatted("%-22s%11s%11s%11s\n", "", "minimum", "average", "maximum");
   for (const Metric m : reported_metrics(quality.cell_dimension)) {

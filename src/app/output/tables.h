@@ -5,6 +5,7 @@
 
 #include "core/geometry/periodic_pairs.h"
 #include "core/layers/layer_stack.h"
+#include "core/memory.h"
 #include "core/mesh/mesh.h"
 #include "core/quality/mesh_change.h"
 #include "core/quality/quality.h"
@@ -16,6 +17,9 @@ namespace winslow::app {
 void print_surface_change(std::ostream& out, const SurfaceChange& change);
 /// Prints a heading such as "zone 2"; nothing for an empty name.
 void print_zone_heading(std::ostream& out, const std::string& name);
+/// Prints the parts of the memory of a run, those that are not 0, and what is left of its peak
+/// (bytes).
+void print_memory(std::ostream& out, const MemoryUse& memory, std::int64_t peak);
 /// Minimum, average and maximum of the three metrics, as the paper tabulates them, and the number
 /// of nodes, elements and inverted elements.
 void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality);

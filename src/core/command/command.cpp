@@ -327,7 +327,9 @@ CommandResult execute_one(const EditVcvCommand& command, const MeshState& state,
   else
     edited.vcvs = edit_vcvs(*state.mesh.topology, state.vcvs.by_hand().get(), command.edits);
   Coordinates x = starting_point(edited, options);
-  SmoothResult result = smooth_interior(edited, command.smooth, x, options);
+  // Small edits in a row are not to be lost in the tolerance, and one that is taken back leaves the
+  // mesh as it was.
+  SmoothResult result = smooth_interior(edited, independent_of_start(command.smooth), x, options);
   return finish(edited, std::move(x), std::move(result));
 }
 
@@ -375,15 +377,18 @@ CommandResult unchanged(const MeshState& state) {
   return result;
 }
 
-/// The command with what its options leave open about the nodes in which regions meet.
-Command with_interfaces(Command command) {
+/// The command with what its options leave open: what happens to the nodes in which regions meet,
+/// and the tolerance of a run from a start of its own, as drags have.
+Command completed(Command command, const RunOptions& options) {
   const bool motion = std::visit(
       [](const auto& c) {
         return requires { c.how; };
       },
       command);
-  if (SmoothOptions* smooth = smooth_options(command))
+  if (SmoothOptions* smooth = smooth_options(command)) {
     smooth->slide.interfaces = interfaces_in(smooth->slide.interfaces, motion);
+    if (options.start) *smooth = independent_of_start(std::move(*smooth));
+  }
   return command;
 }
 
@@ -501,7 +506,7 @@ ResolvedCommand::ResolvedCommand(Command command, SlideFiles files)
 
 CommandResult execute(const ResolvedCommand& resolved, const MeshState& state,
                       const RunOptions& given) {
-  const Command command = with_interfaces(resolved.command());
+  const Command command = completed(resolved.command(), given);
   RunOptions options = given;
   options.files = resolved.files();
   require_dimension(command, state);

@@ -21,6 +21,15 @@ std::vector<MovingBody> bodies_of(const Command& command, const MeshState& state
   return move ? move->bodies : std::vector<MovingBody>();
 }
 
+/// The same command, with a result that does not depend on the mesh that it begins from: bodies
+/// that move forth and back get their mesh back.
+ResolvedCommand independent_of_start(const ResolvedCommand& command) {
+  Command independent = command.command();
+  if (SmoothOptions* smooth = smooth_options(independent))
+    *smooth = winslow::independent_of_start(*smooth);
+  return {std::move(independent), command.files()};
+}
+
 }  // namespace
 
 /// None: no path leads from the last mesh to the end of the motion.
@@ -44,7 +53,8 @@ std::optional<CommandResult> MovingMesh::from_last(const ResolvedCommand& comman
   return std::nullopt;
 }
 
-CommandResult MovingMesh::to(const ResolvedCommand& command, RunOptions options) {
+CommandResult MovingMesh::to(const ResolvedCommand& asked, RunOptions options) {
+  const ResolvedCommand command = independent_of_start(asked);
   options.cache = &cache_;
   options.start = nullptr;
   options.near = {};

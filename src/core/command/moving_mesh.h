@@ -28,7 +28,8 @@ class MovingMesh {
  public:
   explicit MovingMesh(MeshState given) : given_(std::move(given)) {}
 
-  /// Returns the result of the command on the mesh as given. If the solver finds no valid path from
+  /// Returns the result of the command on the mesh as given. Without a tolerance of its own the
+  /// command is solved to 1e-10, volume meshes as well. If the solver finds no valid path from
   /// the last mesh, it starts from the mesh as given. options: this object sets `start` and
   /// `cache`. The next call starts from the result if that is valid, complete and of the same
   /// elements. Throws as execute() does.

@@ -183,7 +183,8 @@ class SeriesRun {
         tree_(steps_, state.mesh, starts_at_neighbours(series, state)),
         status_(steps_.size(), SeriesStatus::failed) {
     common_.how = series.how;
-    common_.smooth = series.smooth;
+    // Which step begins from which other one must not be seen in the meshes.
+    common_.smooth = independent_of_start(series.smooth);
     smallest_sine_given_ = smallest_sine(state.mesh);
   }
 

@@ -392,7 +392,8 @@ DragSession::DragSession(MeshState state, DragGrip grip, const SmoothOptions& op
     start->coordinates = frame_.to_local(std::move(start->coordinates));
     start->motion = in_frame(resolve_motion(start->motion, dimension_, Vec3(0, 0, 0)), frame_);
   }
-  SmoothOptions local = options;
+  // Each mesh of a drag begins from the last one, and has to be the same back and forth.
+  SmoothOptions local = independent_of_start(options);
   local.slide.interfaces = interfaces_in(local.slide.interfaces, true);
   local.keep_outside = to_local(std::move(local.keep_outside), frame_);
   impl_ = std::make_unique<Impl>(std::move(state), std::move(grip), local, std::move(start),

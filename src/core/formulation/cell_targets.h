@@ -50,6 +50,9 @@ struct CellTargets {
   double inverse_limit(std::size_t term) const {
     return inverse_limits.empty() ? 0 : inverse_limits[term];
   }
+  /// Ends a cell, which has the terms that were added since the end of the last one.
+  void end_cell() { offsets.push_back(index_count(terms.size(), "target shapes of elements")); }
+  std::size_t bytes() const { return bytes_of(cells, offsets, terms, inverse_limits); }
   std::span<const Term> terms_of(std::size_t cell) const { return part(terms, cell); }
   std::span<Term> terms_of(std::size_t cell) { return part(terms, cell); }
 

@@ -41,6 +41,7 @@ GradientParts::GradientParts(const RowBlocks<3>& blocks,
                         : static_cast<Index>(cells.size());
     part.first_place = handed_on_;
     part.nodes.assign(nodes_.begin() + first, nodes_.begin() + end);
+    part.corners.reserve(4 * at(part.end_cell - part.first_cell));
     for (Index p = first; p < end; ++p) local[at(nodes_[at(p)])] = p - first;
     for (Index t = part.first_cell; t < part.end_cell; ++t) {
       for (const Index node : cells[at(t)]) {
@@ -62,7 +63,19 @@ GradientParts::GradientParts(const RowBlocks<3>& blocks,
   make_pattern(blocks);
 }
 
+std::size_t GradientParts::bytes() const {
+  std::size_t sum = bytes_of(nodes_, position_, parts_, entry_) + bytes_of(pattern_);
+  for (const Part& part : parts_)
+    sum += bytes_of(part.nodes, part.corners, part.handed_on, part.received);
+  return sum;
+}
+
 void GradientParts::make_pattern(const RowBlocks<3>& blocks) {
+  for (Part& part : parts_) {  // these lists were as long as they grew
+    part.nodes.shrink_to_fit();
+    part.handed_on.shrink_to_fit();
+    part.received.shrink_to_fit();
+  }
   const SparsityPattern& old = *blocks.pattern();
   auto pattern = std::make_shared<SparsityPattern>();
   pattern->columns.reserve(old.columns.size());

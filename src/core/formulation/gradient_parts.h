@@ -23,6 +23,8 @@ class GradientParts {
   /// The place in the order of the blocks of a row.
   Index position(std::size_t row) const { return position_[row]; }
 
+  std::size_t bytes() const;
+
   /// Returns the energy, infinite where a cell is inverted. out: receives its derivatives,
   /// undefined if it is infinite.
   double gradient(const distortion::SimplexKernel<3>& kernel, const distortion::SimplexData& data,

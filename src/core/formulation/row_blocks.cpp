@@ -107,11 +107,17 @@ RowBlocks<D>::RowBlocks(const std::vector<Cell>& cells, std::span<const Index> r
   const auto blocks_each = static_cast<Index>(blocks) / most_listers + 1;
   parallel_for(threads, rows, fill, blocks_each * rows_per_block);
   entries_.reserve(blocks);
-  for (const BlockCells<D>& part : parts) {
+  std::size_t count = 0;
+  for (const BlockCells<D>& part : parts) count += part.cells.size();
+  index_count(count, "cells of targets in blocks of rows");
+  cells_.reserve(count);
+  places_.reserve(count);
+  for (BlockCells<D>& part : parts) {
     entries_.push_back(part.entries);
     cells_.insert(cells_.end(), part.cells.begin(), part.cells.end());
     places_.insert(places_.end(), part.places.begin(), part.places.end());
     cell_offsets_.push_back(static_cast<Index>(cells_.size()));
+    part = {};  // frees memory
   }
 }
 

@@ -18,6 +18,7 @@ namespace winslow {
 template <std::size_t N>
 CompressedRows corners_of_rows(const std::vector<std::array<Index, N>>& cells,
                                std::span<const Index> row_of_node, Index rows) {
+  index_count(N * cells.size(), "corners of the cells of targets");
   CompressedRows corners;
   corners.offsets.assign(at(rows) + 1, 0);
   const auto each_corner = [&](const auto& visit) {
@@ -27,7 +28,7 @@ CompressedRows corners_of_rows(const std::vector<std::array<Index, N>>& cells,
           visit(at(row), static_cast<Index>(N * t + c));
   };
   each_corner([&](std::size_t row, Index) { ++corners.offsets[row + 1]; });
-  std::partial_sum(corners.offsets.begin(), corners.offsets.end(), corners.offsets.begin());
+  add_up(corners.offsets, "corners of the cells of targets");
   corners.values.resize(at(corners.offsets.back()));
   std::vector<Index> next = corners.offsets;
   each_corner([&](std::size_t row, Index corner) { corners.values[at(next[row]++)] = corner; });
@@ -92,6 +93,12 @@ class RowBlocks {
 
   /// First cell number of a block that is in no earlier block, after renumber_cells().
   Index first_new_cell(Index block) const { return first_new_[static_cast<std::size_t>(block)]; }
+
+  /// Bytes, with the pattern.
+  std::size_t bytes() const {
+    return bytes_of(pattern_) +
+           bytes_of(order_, cell_offsets_, cells_, places_, entries_, first_new_);
+  }
 
   /// Renumbers the cells in the order in which the blocks use them. Returns the old number of each.
   std::vector<Index> renumber_cells();
@@ -169,6 +176,13 @@ struct SimplexStructure {
     std::shared_ptr<const GradientParts> made;
   };
   mutable Parts parts;
+
+  /// Bytes, without those of `parts`.
+  std::size_t bytes() const {
+    const auto& reduced = periodic.pattern();
+    return rows.bytes() + (reduced != rows.pattern() ? bytes_of(reduced) : 0) +
+           bytes_of(row_of_node, shape_order, half_free, cells_at_row);
+  }
 
   /// Whether some rows belong to nodes without their own unknowns.
   bool joins() const { return !followers.empty() || !periodic.empty(); }

@@ -196,6 +196,9 @@ struct StencilOperator<3> {
 struct NodePattern {
   /// nodes: ascending.
   NodePattern(const Topology& topology, std::span<const Index> nodes);
+  std::size_t bytes() const {
+    return bytes_of(pattern) + bytes_of(row_of_node, entry_of_neighbour);
+  }
 
   std::shared_ptr<const SparsityPattern> pattern;
   std::vector<Index> row_of_node;  ///< #nodes, -1 for nodes without a row

@@ -16,6 +16,8 @@ class KeptMemory {
 
   /// Not initialised.
   std::unique_ptr<double[]> borrow();
+  /// Of the memory while it is kept.
+  std::size_t bytes() const { return kept_ ? numbers_ * sizeof(double) : 0; }
   void give_back(std::unique_ptr<double[]> memory);
 
  private:
@@ -27,6 +29,12 @@ class KeptMemory {
 /// Data that depend only on the connectivity and the moving nodes.
 struct SurfaceStructure {
   SurfaceStructure(const NodeUnknowns& nodes, const std::vector<std::array<Index, 3>>& cells);
+
+  std::size_t bytes() const {
+    return bytes_of(pattern) +
+           bytes_of(cells, element, row_of_node, corners, entries, loose, numbers) +
+           (memory ? memory->bytes() : 0);
+  }
 
   std::vector<std::array<Index, 3>> cells;  ///< nodes
   std::vector<Index> element;               ///< element of each cell

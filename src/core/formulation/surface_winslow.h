@@ -71,6 +71,7 @@ class SurfaceWinslow final : public TargetForm<2> {
   std::shared_ptr<TargetForm<2>> copy() const override {
     return std::make_shared<SurfaceWinslow>(*this);
   }
+  std::size_t structure_bytes() const override { return structure_->bytes(); }
   double worst(const Coordinates& x, bool of_guards) const override;
   std::vector<Vec3> normals(const Coordinates& x) const;
   /// Maps each into its own plane; with a regularisation, along the normals in it.

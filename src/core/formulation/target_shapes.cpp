@@ -161,7 +161,7 @@ class FaceTargets : TargetBuilder {
     } else {
       shapes_.terms.push_back(common_metric(blend_, first, e).normalized().term(weight_of(e)));
     }
-    shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
+    shapes_.end_cell();
   }
 
   /// Factor of the weight of held layers under `keep`: guards of elements that are squashed against
@@ -243,7 +243,7 @@ class FaceTargets : TargetBuilder {
       if (keeps() && !spaced_by_vcvs(e)) {
         shapes_.cells.push_back(nodes);
         add_kept(e, nodes, pi / 2, 1.0 / count);
-        shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
+        shapes_.end_cell();
         continue;
       }
       const bool own = !heeds_vcvs(e);
@@ -266,7 +266,7 @@ class FaceTargets : TargetBuilder {
       shapes_.terms.push_back(
           metric.normalized().term((keeps() ? weight_beside_guards : 1) * weight_of(e) / count));
       if (keeps()) shapes_.inverse_limits.push_back(0);
-      shapes_.offsets.push_back(static_cast<Index>(shapes_.terms.size()));
+      shapes_.end_cell();
     }
   }
 

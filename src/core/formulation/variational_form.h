@@ -111,6 +111,8 @@ class VariationalForm : public NodeProblem<UntanglingProblem> {
   virtual std::optional<double> stretched() const = 0;
   /// CellTargets::without_shape.
   virtual Index without_shape() const = 0;
+  /// Adds the memory of its targets, and of the data that depend on the connectivity.
+  virtual void count(MemoryUse& use) const = 0;
 
  protected:
   VariationalForm(NodeUnknowns nodes, const PenaltyOptions& penalty)
@@ -141,6 +143,10 @@ class TargetForm : public VariationalForm {
   std::optional<double> stretched() const final { return shapes_->stretched; }
   Index without_shape() const final { return shapes_->without_shape; }
   bool has_guards() const final { return !shapes_->inverse_limits.empty(); }
+  void count(MemoryUse& use) const final {
+    use.targets += shapes_->bytes();
+    use.structure += structure_bytes();
+  }
 
   double energy(const Coordinates& x) const final { return energy_of(x, nullptr); }
   double regularised_energy(const Coordinates& x,
@@ -168,6 +174,8 @@ class TargetForm : public VariationalForm {
       : VariationalForm(std::move(nodes), penalty), shapes_(std::move(shapes)) {}
 
   virtual std::shared_ptr<TargetForm> copy() const = 0;
+  /// Bytes of the data that depend on the connectivity.
+  virtual std::size_t structure_bytes() const = 0;
   /// regularisation: null for the determinants themselves, as for assemble().
   virtual double energy_of(const Coordinates& x, const Regularisation* regularisation) const = 0;
   /// With a regularisation, or projected, the Hessian is positive semidefinite.

@@ -102,6 +102,12 @@ SimplexWinslow<D>::SimplexWinslow(const Pattern& pattern, const Targets& shapes,
 }
 
 template <int D>
+std::size_t SimplexWinslow<D>::structure_bytes() const {
+  const auto& parts = structure_->parts.made;
+  return structure_->bytes() + (parts ? parts->bytes() : 0);
+}
+
+template <int D>
 std::unique_ptr<const TargetPath> SimplexWinslow<D>::target_path(const Coordinates& from) const {
   return std::make_unique<ShapePath<D>>(copy(), Points<D>(from), this->threads());
 }

@@ -65,6 +65,7 @@ class SimplexWinslow final : public TargetForm<D> {
   std::shared_ptr<TargetForm<D>> copy() const override {
     return std::make_shared<SimplexWinslow>(*this);
   }
+  std::size_t structure_bytes() const override;
   distortion::SimplexData data(const Coordinates& x, const Regularisation* regularisation) const;
   double energy_of(const Coordinates& x, const Regularisation* regularisation) const override {
     return this->sum_energy(data(x, regularisation));

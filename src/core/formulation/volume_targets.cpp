@@ -84,14 +84,19 @@ class VolumeTargets : TargetBuilder {
       if (!movable(nodes)) continue;
       if (blend_.rest > 0 && !own_metric(e, nodes)) refuse_rest(e, "inverted or flat");
       targets_.cells.push_back(nodes);
-      targets_.offsets.push_back(targets_.offsets.back() +
-                                 (keeps() ? 2 : std::max(vcv_terms(e, nodes), 1)));
+      end_cell(keeps() ? 2 : std::max(vcv_terms(e, nodes), 1));
       origins_.push_back({e, static_cast<int>(k), 0});
     }
     if (std::ranges::binary_search(guarded_, e)) list_edges(e);
     const auto live = static_cast<double>(targets_.cells.size() - first);
     for (std::size_t cell = first; cell < origins_.size(); ++cell)
       origins_[cell].weight = weight_of(e) / live;
+  }
+
+  /// Ends the cell that was listed last, which has so many terms.
+  void end_cell(Index terms) {
+    targets_.offsets.push_back(
+        index_count(at(targets_.offsets.back()) + at(terms), "target shapes of elements"));
   }
 
   void list_edges(Index e) {
@@ -103,7 +108,7 @@ class VolumeTargets : TargetBuilder {
       if (!movable(nodes)) continue;
       if (blend_.rest > 0 && !own_metric(e, nodes)) continue;
       targets_.cells.push_back(nodes);
-      targets_.offsets.push_back(targets_.offsets.back() + (keeps() ? 2 : 1));
+      end_cell(keeps() ? 2 : 1);
       origins_.push_back({e, static_cast<int>(corners + k), 0});
     }
   }

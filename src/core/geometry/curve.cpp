@@ -1,7 +1,6 @@
 #include "core/geometry/curve.h"
 
 #include <Eigen/Dense>
-#include <array>
 #include <utility>
 
 #include "core/error.h"

@@ -123,6 +123,13 @@ class CholmodCholesky final : public Factorisation {
     return "CHOLMOD " + kind + " Cholesky (" + ordering_ + " ordering)";
   }
 
+  std::size_t bytes() const override {
+    if (!factor_) return matrix_.bytes();
+    const std::size_t values = factor_->is_super ? factor_->xsize : factor_->nzmax;
+    const std::size_t indices = factor_->is_super ? factor_->ssize : factor_->nzmax;
+    return matrix_.bytes() + values * sizeof(double) + indices * sizeof(int);
+  }
+
   void factorise(const SparseMatrix& matrix) override {
     if (matrix_.assign(matrix) || !factor_) analyse(matrix);
     cholmod_sparse a = view();

@@ -32,15 +32,18 @@ void EigenMatrix::adopt(const SparseMatrix& source) {
   pattern_ = source.pattern;
   block_ = at(source.block);
   const Index n = source.rows();
-  const auto blocks = pattern_->columns.size();
-  // Lower triangle: half of the off-diagonal blocks, and triangles on the diagonal.
-  const auto diagonal = at(pattern_->rows());
-  const std::size_t entries = part_ == Part::all ? blocks * block_ * block_
-                                                 : (blocks - diagonal) / 2 * block_ * block_ +
-                                                       diagonal * block_ * (block_ + 1) / 2;
+  const Index entries = entries_of(part_, pattern_->columns.size(), at(pattern_->rows()), block_);
   matrix_ = Eigen::SparseMatrix<double>(n, n);
-  matrix_.resizeNonZeros(static_cast<Eigen::Index>(entries));
+  matrix_.resizeNonZeros(entries);
   part_ == Part::all ? structure_all() : structure_lower();
+}
+
+Index EigenMatrix::entries_of(Part part, std::size_t blocks, std::size_t rows, std::size_t block) {
+  // Lower triangle: half of the off-diagonal blocks, and triangles on the diagonal.
+  const std::size_t entries =
+      part == Part::all ? blocks * block * block
+                        : (blocks - rows) / 2 * block * block + rows * block * (block + 1) / 2;
+  return index_count(entries, "entries of a matrix for a direct solver");
 }
 
 void EigenMatrix::structure_all() {
@@ -160,6 +163,8 @@ class EigenFactorisation final : public Factorisation {
   }
 
   std::string description() const override { return name_; }
+  /// Eigen's interface does not say how large factors are.
+  std::size_t bytes() const override { return matrix_.bytes(); }
 
   void factorise(const SparseMatrix& matrix) override {
     if (matrix_.assign(matrix)) solver_.analyzePattern(matrix_.matrix());

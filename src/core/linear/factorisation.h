@@ -4,9 +4,8 @@
 #include <atomic>
 #include <cstdlib>
 #include <mutex>
-#include <span>
-#include <string>
 
+#include "core/counts.h"
 #include "core/linear/sparse_system.h"
 
 namespace winslow {
@@ -24,6 +23,8 @@ class Factorisation {
   /// Solves with the last matrix. rhs, x: #scalar rows by columns, row after row.
   /// Throws NumericError if the solution is not finite.
   virtual void solve(std::span<const double> rhs, int columns, std::span<double> x) = 0;
+  /// Memory that it keeps from call to call, as far as the library behind it tells.
+  virtual std::size_t bytes() const = 0;
 };
 
 /// Sparse Cholesky, L L^T, of symmetric positive definite matrices.
@@ -71,6 +72,14 @@ class EigenMatrix {
   /// Returns true if the structure has changed.
   bool assign(const SparseMatrix& source);
   const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
+  std::size_t bytes() const {
+    return static_cast<std::size_t>(matrix_.nonZeros()) * (sizeof(double) + sizeof(Index)) +
+           static_cast<std::size_t>(matrix_.outerSize() + 1) * sizeof(Index) +
+           bytes_of(first_slot_);
+  }
+  /// Scalar entries of a part of a matrix of so many blocks, `rows` of them on the diagonal. Throws
+  /// UsageError if there are more than the factorisations number.
+  static Index entries_of(Part part, std::size_t blocks, std::size_t rows, std::size_t block);
 
  private:
   void adopt(const SparseMatrix& source);

@@ -1,7 +1,6 @@
 #include "core/linear/linear_solver.h"
 
 #include <cmath>
-#include <limits>
 
 #include "core/error.h"
 #include "core/linear/blocks.h"
@@ -27,6 +26,7 @@ class DirectSolver final : public LinearSolver {
   std::string description() const override {
     return factor_ ? factor_->description() : "sparse factorisation";
   }
+  void count(MemoryUse& use) const override { use.factors += factor_ ? factor_->bytes() : 0; }
   void set_tolerance(double relative_residual) override { krylov_.tolerance = relative_residual; }
 
   void set_matrix(const SparseMatrix& matrix, bool keep) override {
@@ -102,6 +102,9 @@ class KrylovSolver final : public LinearSolver {
   std::string description() const override {
     return (method_ == Method::gmres ? "GMRES, " : "CG, ") + preconditioner_->description();
   }
+  void count(MemoryUse& use) const override {
+    use.preconditioner += matrix_.bytes() + preconditioner_->bytes();
+  }
   void set_tolerance(double relative_residual) override { krylov_.tolerance = relative_residual; }
 
   void set_matrix(const SparseMatrix& matrix, bool keep) override {
@@ -174,6 +177,7 @@ class PointImplicitSolver final : public LinearSolver {
 
   std::string_view name() const override { return "point-implicit"; }
   std::string description() const override { return "Gauss-Seidel sweeps"; }
+  void count(MemoryUse& use) const override { use.preconditioner += bytes_of(inverse_); }
   void set_tolerance(double relative_residual) override { tolerance_ = relative_residual; }
 
   void set_matrix(const SparseMatrix& matrix, bool) override {
@@ -259,6 +263,10 @@ class AutomaticSolver final : public LinearSolver {
   std::string_view name() const override { return "automatic"; }
   std::string description() const override {
     return chosen_ ? chosen_->description() : "chosen by the matrix";
+  }
+  void count(MemoryUse& use) const override {
+    if (chosen_) chosen_->count(use);
+    if (fallback_) fallback_->count(use);
   }
   void set_tolerance(double relative_residual) override {
     options_.tolerance = relative_residual;

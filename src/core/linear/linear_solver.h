@@ -2,7 +2,6 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "core/linear/sparse_system.h"
 
@@ -64,6 +63,9 @@ class LinearSolver {
   /// Relative residual at which later solves stop, replaces LinearOptions::tolerance. Has no effect
   /// if the factors are those of the matrix itself: these solve exactly.
   virtual void set_tolerance(double relative_residual) = 0;
+
+  /// Adds the memory that it keeps from call to call.
+  virtual void count(MemoryUse& /*use*/) const {}
 };
 
 /// "automatic", "direct", "cg", "multigrid", "gmres", "point-implicit".

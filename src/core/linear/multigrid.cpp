@@ -238,6 +238,17 @@ class Multigrid final : public Preconditioner {
     return "smoothed aggregation multigrid" + levels;
   }
 
+  std::size_t bytes() const override {
+    std::size_t sum = 0;
+    for (const Level& level : levels_) {
+      sum += bytes_of(level.own.values) + bytes_of(level.own.pattern) + level.smoother.bytes() +
+             bytes_of(level.b, level.x, level.r, level.before, level.first_visit) +
+             static_cast<std::size_t>(level.dense.rows() * level.dense.cols()) * sizeof(double);
+      if (level.prolongation) sum += level.prolongation->bytes();
+    }
+    return sum;
+  }
+
   void build(const SparseMatrix& finest) override {
     if (width_ != 1 && finest.block != 1)
       throw UsageError("multigrid of components takes scalar matrices only");

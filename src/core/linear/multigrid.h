@@ -28,6 +28,9 @@ class GaussSeidel {
   void backward(std::span<const Real> b, std::span<const Real> before, std::span<Real> x,
                 int threads) const;
 
+  /// Without the pattern, which is that of the matrix.
+  std::size_t bytes() const { return bytes_of(values_, inverse_, excess_, inside_); }
+
   /// r = b - A x; b and r may be the same.
   void defect(std::span<const Real> b, std::span<const Real> x, std::span<Real> r,
               int threads) const;

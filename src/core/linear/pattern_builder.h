@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/counts.h"
 #include "core/linear/sparse_system.h"
 #include "core/parallel/parallel_for.h"
 
@@ -8,7 +9,8 @@ namespace winslow {
 /// Builds a pattern of `rows` rows, `block` rows at a time on several threads. begin_block() is
 /// called for each block of rows and returns a function list(row, columns). This function is called
 /// for the rows of the block in ascending order. It fills the empty `columns` with the columns of
-/// the row, in any order, once each, including the row itself.
+/// the row, in any order, once each, including the row itself. Throws UsageError for more entries
+/// than an Index can number.
 template <typename BeginBlock>
 std::shared_ptr<SparsityPattern> build_pattern(Index rows, Index block, int threads,
                                                const BeginBlock& begin_block) {
@@ -26,23 +28,24 @@ std::shared_ptr<SparsityPattern> build_pattern(Index rows, Index block, int thre
           const auto own = std::lower_bound(columns.begin(), columns.end(), row);
           part.diagonal.push_back(part.offsets.back() + static_cast<Index>(own - columns.begin()));
           part.columns.insert(part.columns.end(), columns.begin(), columns.end());
-          part.offsets.push_back(static_cast<Index>(part.columns.size()));
+          part.offsets.push_back(index_count(part.columns.size(), entries_of_matrix));
         }
       },
       block);
   auto pattern = std::make_shared<SparsityPattern>();
   std::size_t entries = 0;
   for (const SparsityPattern& part : parts) entries += part.columns.size();
-  pattern->columns.reserve(entries);
+  pattern->columns.reserve(at(index_count(entries, entries_of_matrix)));
   pattern->offsets.reserve(at(rows) + 1);
   pattern->diagonal.reserve(at(rows));
-  for (const SparsityPattern& part : parts) {
+  for (SparsityPattern& part : parts) {
     const Index before = pattern->offsets.back();
     pattern->columns.insert(pattern->columns.end(), part.columns.begin(), part.columns.end());
     for (std::size_t i = 0; i < part.diagonal.size(); ++i) {
       pattern->diagonal.push_back(before + part.diagonal[i]);
       pattern->offsets.push_back(before + part.offsets[i + 1]);
     }
+    part = {};  // frees memory
   }
   return pattern;
 }

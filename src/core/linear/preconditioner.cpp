@@ -28,6 +28,7 @@ class IncompleteCholesky final : public Preconditioner {
   explicit IncompleteCholesky(int threads) : threads_(threads) {}
 
   std::string description() const override { return "incomplete Cholesky IC(0)"; }
+  std::size_t bytes() const override { return bytes_of(lower_, inverse_pivot_); }
 
   void build(const SparseMatrix& matrix) override {
     pattern_ = matrix.pattern;
@@ -146,6 +147,11 @@ class IncompleteLu final : public Preconditioner {
   }
 
   std::string description() const override { return "incomplete LU (ILUT)"; }
+  /// Eigen does not say how large its factors are: as large as their fill allows.
+  std::size_t bytes() const override {
+    constexpr std::size_t fill = 10, entry = sizeof(double) + sizeof(Index);
+    return matrix_.bytes() + fill * entry * static_cast<std::size_t>(matrix_.matrix().nonZeros());
+  }
 
   void build(const SparseMatrix& matrix) override {
     if (matrix_.assign(matrix)) {

@@ -26,6 +26,8 @@ class Preconditioner {
   virtual void apply(std::span<const double> r, std::span<double> z) = 0;
   /// Of one apply(); zeros where nobody counts it.
   virtual Work work() const { return {}; }
+  /// Memory that it keeps from call to call.
+  virtual std::size_t bytes() const = 0;
 };
 
 /// Incomplete block Cholesky factorisation without fill, within runs of parallel_block rows.
@@ -44,6 +46,9 @@ class ReorderedMatrix {
   void assign(const SparseMatrix& source, int threads);
   /// Its pattern object changes when, and only when, that of the source does.
   const SparseMatrix& matrix() const { return matrix_; }
+  std::size_t bytes() const {
+    return bytes_of(matrix_.values, order_, source_entry_) + bytes_of(matrix_.pattern);
+  }
 
   /// Copies one column of an array, stored by rows in the order of the source, to the new order.
   void gather(std::span<const double> source, int columns, int column,

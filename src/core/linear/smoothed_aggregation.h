@@ -47,6 +47,11 @@ class Prolongation {
 
   /// How many blocks P has.
   std::size_t entries() const { return columns_.size(); }
+  std::size_t bytes() const {
+    return bytes_of(strong_, offsets_, columns_, own_, entry_, values_) +
+           bytes_of(transposed_offsets_, transposed_rows_, transposed_entries_);
+  }
+
   Index coarse_rows() const { return static_cast<Index>(transposed_offsets_.size()) - 1; }
 
   /// P^T A P. The first call computes the pattern.

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <algorithm>
 #include <memory>
-#include <vector>
 
-#include "core/types.h"
+#include "core/memory.h"
 
 namespace winslow {
+
+/// What index_count() calls the entries of a pattern.
+inline constexpr const char* entries_of_matrix = "entries of a matrix";
 
 /// Pattern of a sparse matrix in compressed rows, columns ascending, diagonal always present.
 struct SparsityPattern {
@@ -22,6 +23,13 @@ struct SparsityPattern {
     return static_cast<Index>(std::lower_bound(first, last, column) - columns.begin());
   }
 };
+
+inline std::size_t bytes_of(const SparsityPattern& pattern) {
+  return bytes_of(pattern.offsets, pattern.columns, pattern.diagonal);
+}
+inline std::size_t bytes_of(const std::shared_ptr<const SparsityPattern>& pattern) {
+  return pattern ? bytes_of(*pattern) : 0;
+}
 
 /// A square matrix of dense blocks. The pattern is that of the blocks: each pattern row has `block`
 /// unknowns (e.g. the displacement components of a node).

@@ -1,6 +1,5 @@
 #include "core/mesh/coordinates.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 

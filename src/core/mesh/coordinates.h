@@ -2,9 +2,8 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
-#include "core/types.h"
+#include "core/memory.h"
 
 /// Points are read and written by node:
 ///
@@ -29,6 +28,7 @@ class Coordinates {
     return static_cast<Index>(values_.size() / static_cast<std::size_t>(dimension_));
   }
   bool empty() const { return values_.empty(); }
+  std::size_t bytes() const { return bytes_of(values_); }
   /// Whether others are of as many nodes in the same dimension.
   bool alike(const Coordinates& other) const {
     return dimension_ == other.dimension_ && values_.size() == other.values_.size();

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <string_view>
-
 #include "core/mesh/coordinates.h"
 #include "core/types.h"
 

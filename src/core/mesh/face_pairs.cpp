@@ -11,6 +11,8 @@ namespace winslow {
 
 namespace {
 
+constexpr const char* sides_of_elements = "faces of elements";
+
 /// A side without its lowest node, which SortedSides knows. N: largest number of nodes of a face.
 template <std::size_t N>
 struct Side {
@@ -38,32 +40,42 @@ bool same_diagonals(const Face& a, const Face& b) {
   return b[(index_of(b, a[0]) + 2) % 4] == a[2];
 }
 
-/// Calls body(nodes, element) for every side of every element.
+/// Calls body(nodes, element, side) for every side of every element, on several threads.
+/// side_offsets: FacePairs::side_offsets.
 template <typename Body>
-void for_each_side(const MeshData& data, const Body& body) {
-  for (Index e = 0; e < data.element_count(); ++e) {
-    const auto corners = data.element(e);
-    for (const Face& face : shape_of(data.types[at(e)]).faces) body(by_nodes(face, corners), e);
-  }
+void for_each_side(const MeshData& data, std::span<const Index> side_offsets, const Body& body) {
+  parallel_for(0, data.element_count(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e) {
+      const auto corners = data.element(e);
+      Index side = side_offsets[at(e)];
+      for (const Face& face : shape_of(data.types[at(e)]).faces)
+        body(by_nodes(face, corners), e, side++);
+    }
+  });
 }
 
-/// The sides of all elements, sorted: a bucket for each lowest node, which few sides share.
+/// Adds 1 and returns the number before. Other threads may count at the same time.
+Index count_one(Index& number) {
+  return std::atomic_ref(number).fetch_add(1, std::memory_order_relaxed);
+}
+
+/// The sides of all elements, sorted: a bucket for each lowest node, which few sides share. Threads
+/// fill the buckets in any order; sorting makes it one.
 template <std::size_t N>
 struct SortedSides {
-  explicit SortedSides(const MeshData& data) : begin(at(data.node_count()) + 2, 0) {
-    for_each_side(data, [&](const Face& nodes, Index) {
-      ++begin[at(*std::min_element(nodes.begin(), nodes.end())) + 2];
+  SortedSides(const MeshData& data, std::span<const Index> side_offsets)
+      : begin(at(data.node_count()) + 2, 0), sides(at(side_offsets.back())) {
+    for_each_side(data, side_offsets, [&](const Face& nodes, Index, Index) {
+      count_one(begin[at(*std::min_element(nodes.begin(), nodes.end())) + 2]);
     });
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    sides.resize(at(begin.back()));
-    Index side = 0;
-    for_each_side(data, [&](const Face& nodes, Index e) {
+    add_up(begin, sides_of_elements);
+    for_each_side(data, side_offsets, [&](const Face& nodes, Index e, Index side) {
       if constexpr (N == 2) {
         const auto [low, high] = std::minmax({nodes[0], nodes[1]});
-        put(low, {{high}, side++, e, low == nodes[0]});
+        put(low, {{high}, side, e, low == nodes[0]});
       } else {
         const auto [low, a, b, c] = nodes.sorted();
-        put(low, {{a, b, c}, side++, e, ascends(nodes)});
+        put(low, {{a, b, c}, side, e, ascends(nodes)});
       }
     });
     begin.pop_back();
@@ -75,7 +87,7 @@ struct SortedSides {
     });
   }
 
-  std::span<Side<N>> at_node(Index node) {
+  std::span<const Side<N>> at_node(Index node) const {
     return {sides.begin() + begin[at(node)], sides.begin() + begin[at(node) + 1]};
   }
 
@@ -83,7 +95,10 @@ struct SortedSides {
   std::vector<Side<N>> sides;
 
  private:
-  void put(Index low, const Side<N>& side) { sides[at(begin[at(low) + 1]++)] = side; }
+  std::span<Side<N>> at_node(Index node) {
+    return {sides.begin() + begin[at(node)], sides.begin() + begin[at(node) + 1]};
+  }
+  void put(Index low, const Side<N>& side) { sides[at(count_one(begin[at(low) + 1]))] = side; }
 };
 
 template <std::size_t N>
@@ -109,29 +124,46 @@ Facing facing(const MeshData& data, const FacePairs& pairs, const Side<N>& a, co
   return a.ascends == b.ascends ? Facing::same : Facing::opposite;
 }
 
-template <std::size_t N>
-void pair_sides(const MeshData& data, FacePairs& pairs) {
-  SortedSides<N> sorted(data);
-  const std::size_t count = sorted.sides.size();
-  pairs.face_of_side.assign(count, -1);
-  pairs.first_side.reserve(count / 2);
-  pairs.elements.reserve(count / 2);
-  pairs.facing.reserve(count / 2);
-  for (Index node = 0; node < data.node_count(); ++node) {
+/// Calls body(first, end) for the sides of each face, lists of one or two sides or more, at the
+/// nodes [begin, end).
+template <std::size_t N, typename Body>
+void for_each_face(const SortedSides<N>& sorted, Index begin, Index end, const Body& body) {
+  for (Index node = begin; node < end; ++node) {
     const auto sides = sorted.at_node(node);
-    for (std::size_t i = 0; i < sides.size();) {
-      std::size_t j = i + 1;
+    for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
       while (j < sides.size() && sides[j].others == sides[i].others) ++j;
-      if (j - i > 2) refuse(data, pairs, sides[i + 2], j - i);
-      const bool paired = j - i == 2;
-      const Index face = pairs.face_count();
-      pairs.first_side.push_back(sides[i].side);
-      pairs.elements.push_back({sides[i].element, paired ? sides[i + 1].element : -1});
-      pairs.facing.push_back(paired ? facing(data, pairs, sides[i], sides[i + 1])
-                                    : Facing::opposite);
-      for (; i < j; ++i) pairs.face_of_side[at(sides[i].side)] = face;
+      body(sides.subspan(i, j - i));
     }
   }
+}
+
+template <std::size_t N>
+void pair_sides(const MeshData& data, FacePairs& pairs) {
+  const SortedSides<N> sorted(data, pairs.side_offsets);
+  const Index nodes = data.node_count();
+  std::vector<Index> first(block_count(nodes) + 1, 0);  // face of each block of nodes
+  parallel_for(0, nodes, [&](Index begin, Index end) {
+    Index& count = first[at(begin / parallel_block) + 1];
+    for_each_face(sorted, begin, end, [&](const auto&) { ++count; });
+  });
+  add_up(first, sides_of_elements);
+  const std::size_t faces = at(first.back());
+  pairs.face_of_side.resize(sorted.sides.size());
+  pairs.first_side.resize(faces);
+  pairs.elements.resize(faces);
+  pairs.facing.resize(faces, Facing::opposite);
+  parallel_for(0, nodes, [&](Index begin, Index end) {
+    Index face = first[at(begin / parallel_block)];
+    for_each_face(sorted, begin, end, [&](const auto& sides) {
+      if (sides.size() > 2) refuse(data, pairs, sides[2], sides.size());
+      const bool paired = sides.size() == 2;
+      pairs.first_side[at(face)] = sides[0].side;
+      pairs.elements[at(face)] = {sides[0].element, paired ? sides[1].element : -1};
+      if (paired) pairs.facing[at(face)] = facing(data, pairs, sides[0], sides[1]);
+      for (const Side<N>& side : sides) pairs.face_of_side[at(side.side)] = face;
+      ++face;
+    });
+  });
 }
 
 }  // namespace
@@ -140,10 +172,9 @@ FacePairs pair_faces(const MeshData& data) {
   FacePairs pairs;
   pairs.side_offsets.reserve(data.types.size() + 1);
   pairs.side_offsets.push_back(0);
-  for (const ElementType type : data.types) {
-    const auto count = static_cast<Index>(shape_of(type).faces.size());
-    pairs.side_offsets.push_back(pairs.side_offsets.back() + count);
-  }
+  for (const ElementType type : data.types)
+    pairs.side_offsets.push_back(static_cast<Index>(shape_of(type).faces.size()));
+  add_up(pairs.side_offsets, sides_of_elements);
   data.kind() == MeshKind::volume ? pair_sides<4>(data, pairs) : pair_sides<2>(data, pairs);
   return pairs;
 }

@@ -26,7 +26,8 @@ struct FacePairs {
 };
 
 /// Pairs the sides of all elements that have the same nodes. Faces are numbered in the order of
-/// their nodes (Face::sorted). Throws MeshError naming the third element at a face.
+/// their nodes (Face::sorted). Throws MeshError naming the third element at a face, UsageError for
+/// more sides than an Index can number.
 FacePairs pair_faces(const MeshData& data);
 
 /// The nodes of a side, in the direction that the element has them.

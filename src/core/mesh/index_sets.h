@@ -1,11 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <numeric>
-#include <span>
-#include <vector>
 
-#include "core/index.h"
+#include "core/counts.h"
+#include "core/memory.h"
 
 namespace winslow {
 
@@ -20,17 +18,21 @@ struct CompressedRows {
     return {values.data() + begin, at(offsets[at(row) + 1]) - begin};
   }
   /// Ends a row, which holds the values that were added since the end of the last one.
-  void end_row() { offsets.push_back(static_cast<Index>(values.size())); }
+  void end_row() { offsets.push_back(index_count(values.size(), "entries of a list")); }
 };
+inline std::size_t bytes_of(const CompressedRows& rows) {
+  return bytes_of(rows.offsets, rows.values);
+}
 
 /// Rows of pairs (row, value): row i holds the values of its pairs, in their order. each(add) calls
-/// add(row, value) for every pair; it is called twice, the first time to count them.
+/// add(row, value) for every pair; it is called twice, the first time to count them. Throws
+/// UsageError for more pairs than an Index can number.
 template <typename Each>
 CompressedRows rows_of(Index row_count, const Each& each) {
   CompressedRows rows;
   rows.offsets.assign(at(row_count) + 1, 0);
   each([&](Index row, Index) { ++rows.offsets[at(row) + 1]; });
-  std::partial_sum(rows.offsets.begin(), rows.offsets.end(), rows.offsets.begin());
+  add_up(rows.offsets, "entries of a list");
   rows.values.resize(at(rows.offsets.back()));
   std::vector<Index> next(rows.offsets.begin(), rows.offsets.end() - 1);
   each([&](Index row, Index value) { rows.values[at(next[at(row)]++)] = value; });

@@ -84,10 +84,11 @@ struct MeshData {
     const std::size_t begin = at(element_offsets[at(e)]);
     return {element_nodes.data() + begin, at(element_offsets[at(e) + 1]) - begin};
   }
+  /// Throws UsageError if an Index cannot number the corners of all elements.
   void add_element(ElementType type, std::span<const Index> corners) {
     types.push_back(type);
     element_nodes.insert(element_nodes.end(), corners.begin(), corners.end());
-    element_offsets.push_back(static_cast<Index>(element_nodes.size()));
+    element_offsets.push_back(index_count(element_nodes.size(), "corners of elements"));
   }
 };
 

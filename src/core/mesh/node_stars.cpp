@@ -69,7 +69,7 @@ CurveOrder::CurveOrder(const SpacePoints& x, Index node_count, const Box<3>& box
   for (std::size_t k = 0; k < nodes.size(); ++k) places[at(nodes[k])] = static_cast<Index>(k);
   elements = by_first_node(of_mesh, places);
   corners.offsets.reserve(elements.size() + 1);
-  for (const Index e : elements)
+  for (const Index e : elements)  // as many corners as in the mesh
     corners.offsets.push_back(corners.offsets.back() + static_cast<Index>(of_mesh[e].size()));
   corners.values.resize(at(corners.offsets.back()));
   parallel_for(0, corners.rows(), [&](Index begin, Index end) {
@@ -178,22 +178,32 @@ void check_surface_manifold(const MeshData& data, const FacePairs& pairs) {
 
 namespace {
 
+/// Size of a few large blocks of so many nodes, for loops whose blocks need memory as large as the
+/// mesh.
+Index few_blocks(Index nodes) {
+  constexpr Index most = 16;
+  return std::max(parallel_block, nodes / most + 1);
+}
+
 /// Neighbours of nodes along the edges of the elements around them, ascending. find() collects them
 /// block by block of the order; put() copies them into the rows when all lengths are known.
 class NeighbourRows {
  public:
   explicit NeighbourRows(const OrderedStars& stars)
-      : stars_(stars), found_(stars.order.nodes.size() / at(parallel_block) + 1) {
+      : stars_(stars),
+        block_(few_blocks(static_cast<Index>(stars.order.nodes.size()))),
+        found_(block_count(static_cast<Index>(stars.order.nodes.size()), block_)) {
     rows_.offsets.assign(stars.order.nodes.size() + 1, 0);
   }
 
   CompressedRows make() {
     const auto nodes = static_cast<Index>(stars_.order.nodes.size());
-    parallel_for(0, nodes, [&](Index begin, Index end) { find(begin, end); });
-    auto& offsets = rows_.offsets;
-    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    rows_.values.resize(at(offsets.back()));
-    parallel_for(0, nodes, [&](Index begin, Index end) { put(begin, end); });
+    parallel_for(
+        0, nodes, [&](Index begin, Index end) { find(begin, end); }, block_);
+    add_up(rows_.offsets, "neighbours of nodes");
+    rows_.values.resize(at(rows_.offsets.back()));
+    parallel_for(
+        0, nodes, [&](Index begin, Index end) { put(begin, end); }, block_);
     return std::move(rows_);
   }
 
@@ -201,7 +211,7 @@ class NeighbourRows {
   Index node(Index k) const { return stars_.order.nodes[at(k)]; }
 
   void find(Index begin, Index end) {
-    std::vector<Index>& values = found_[at(begin / parallel_block)];
+    std::vector<Index>& values = found_[at(begin / block_)];
     std::vector<Index> seen(stars_.order.nodes.size(), -1);  // the last node that had each
     for (Index k = begin; k < end; ++k) {
       const std::size_t before = values.size();
@@ -231,16 +241,19 @@ class NeighbourRows {
   }
 
   void put(Index begin, Index end) {
-    auto value = found_[at(begin / parallel_block)].cbegin();
+    std::vector<Index>& values = found_[at(begin / block_)];
+    auto value = values.cbegin();
     for (Index k = begin; k < end; ++k) {
       const Index first = rows_.offsets[at(node(k))];
       const Index count = rows_.offsets[at(node(k)) + 1] - first;
       std::copy_n(value, count, rows_.values.begin() + first);
       value += count;
     }
+    values = {};  // frees memory
   }
 
   const OrderedStars& stars_;
+  Index block_;                            // size of the blocks of nodes
   std::vector<std::vector<Index>> found_;  // of blocks
   CompressedRows rows_;
 };
@@ -395,16 +408,18 @@ void check_volume_manifold(const Topology& topology, const OrderedStars& stars,
   check_boundary_edges(topology);
   const CompressedRows beside = elements_beside(stars, pairs, turned);
   const Index nodes = topology.node_count();
-  std::vector<Index> failed(at(nodes / parallel_block + 1), nodes);  // the lowest of each block
-  parallel_for(0, nodes, [&](Index begin, Index end) {
+  const Index block = few_blocks(nodes);
+  std::vector<Index> failed(at(nodes / block + 1), nodes);  // the lowest of each block
+  const auto check_block = [&](Index begin, Index end) {
     LinkCheck check(stars, beside);
-    Index& lowest = failed[at(begin / parallel_block)];
+    Index& lowest = failed[at(begin / block)];
     for (Index k = begin; k < end; ++k) {
       const Index node = stars.order.nodes[at(k)];
       const auto edges = static_cast<Index>(topology.neighbours(node).size());
       if (node < lowest && !check.holds(k, edges)) lowest = node;
     }
-  });
+  };
+  parallel_for(0, nodes, check_block, block);
   const Index node = *std::ranges::min_element(failed);
   if (node == nodes) return;
   throw MeshError(MeshEntity::node, node,

@@ -91,6 +91,15 @@ const HalfEdgeMesh& Topology::half_edges() const {
   return *half_edges_;
 }
 
+std::size_t Topology::bytes() const {
+  std::size_t sum = bytes_of(types_, elements_, neighbours_, star_, on_boundary_, interior_nodes_,
+                             edges_, volume_faces_, element_region_);
+  for (const auto& loop : loops_) sum += bytes_of(loop);
+  for (const Marker& marker : markers_) sum += bytes_of(marker.faces);
+  for (const RegionInterface& meeting : interfaces_) sum += bytes_of(meeting.faces, meeting.nodes);
+  return sum;
+}
+
 const MeshWords& words_of(MeshKind kind) {
   static constexpr std::array<MeshWords, 3> words{{
       {"plane mesh", "edge", "an edge", "joins", "surface", "loop_"},
@@ -425,6 +434,7 @@ class Joiner {
         edges_(edges),
         mesh_(std::make_unique<HalfEdgeMesh>()),
         side_(elements.values.size()) {
+    index_count(2 * edges.size(), "half-edges");
     mesh_->resize(at(node_count), edges.size(), at(elements.rows()));
   }
 

@@ -105,6 +105,9 @@ class Topology {
   /// The names of the two regions of an interface: "rock and sand", "rock and no region".
   std::string name_of(const RegionInterface& meeting) const;
 
+  /// Memory of the connectivity, without half-edges.
+  std::size_t bytes() const;
+
   /// Number of elements whose orientation was reversed on load.
   Index reversed_elements() const { return reversed_; }
 

@@ -46,6 +46,9 @@ std::string text_of(const OptionalVectorOption& vector) {
 std::string text_of(const SpaceVectorOption& vector) {
   return *vector.value ? text_of(**vector.value, 3) : "";
 }
+std::string text_of(const OptionalRealOption& real) {
+  return *real.value ? number_text(**real.value) : std::string(real.unset);
+}
 std::string text_of(const ChoiceOption& choice) { return choice.name(); }
 std::string text_of(const SharesOption& shares) {
   if (shares.may_be_none() && shares.is_none()) return std::string(shares.none.name);

@@ -49,6 +49,10 @@ struct RealOption {
 struct OptionalRealOption {
   std::optional<double>* value;
   Range range = {};
+  /// What holds where it is unset, in words; empty: nothing does.
+  std::string_view unset = {};
+  /// The number that holds where it is unset, if that is known: forms show it.
+  std::optional<double> instead = std::nullopt;
 };
 
 struct IntegerOption {

@@ -160,6 +160,13 @@ void EnergyDescent::set_problem(std::shared_ptr<const EnergyProblem> problem) {
   rates_.resize(problem_->unknowns());
 }
 
+void EnergyDescent::rest() {
+  memory_.release();
+  laplacian_.values = {};
+  trial_ = {};
+  for (auto* v : {&gradient_, &preconditioned_, &direction_, &places_, &scales_, &rates_}) *v = {};
+}
+
 /// The largest scaled residual, with the scales of the mesh where these were found.
 double EnergyDescent::scaled_residual() const {
   std::vector<double> largest(block_count(form_->rows()), 0.0);
@@ -186,7 +193,7 @@ void EnergyDescent::assess(const Coordinates& x) {
 IterationRecord EnergyDescent::start(const Coordinates& x) {
   begin_record(1);
   stalled_ = false;
-  residuals_.clear();
+  history_.clear();
   since_built_ = -1;
   energy_ = form_->gradient(x, gradient_);
   if (!std::isfinite(energy_))
@@ -274,22 +281,31 @@ void EnergyDescent::take_up(Coordinates& x) {
   record_.residual = scaled_residual();
 }
 
-/// Whether Newton's method is faster from here. Its steps cost as much as twenty to thirty of
-/// these, and near a solution each doubles the number of digits.
+/// Whether Newton's method is faster from here. Far from a solution it takes many steps with
+/// systems that are hard to solve, so first-order steps go on as long as they lower the energy:
+/// meanwhile the largest residual rises and falls. Near a solution Newton's method has a price that
+/// is known. Once that has been spent, first-order steps go on only if they need less than it from
+/// here.
 bool EnergyDescent::is_slow() const {
-  constexpr std::ptrdiff_t window = 30;
-  constexpr double newton_step = 30, near = 0.05, steps_from_afar = 8;
-  if (std::ssize(residuals_) < 2 * window) return false;
-  const auto recent = residuals_.end() - window;
-  const double before = *std::min_element(residuals_.begin(), recent);
-  const double now = *std::min_element(recent, residuals_.end());
+  constexpr std::ptrdiff_t window = 30, long_window = 90;
+  constexpr std::ptrdiff_t price = 130;  // of Newton's method near a solution, in these steps
+  constexpr double near = 0.05;          // scaled residual
+  constexpr double least_gain = 1e-6;    // of the energy, over the long window
+  const auto first_near = std::ranges::find_if(
+      history_, [](const Reached& reached) { return reached.residual < near; });
   const double wanted = std::max(options_.tolerance, round_off_);
-  if (now <= wanted) return false;
+  if (history_.end() - first_near < price) {
+    if (std::ssize(history_) <= long_window) return false;
+    const double gain = (history_.end() - 1 - long_window)->energy - energy_;
+    return !(gain > least_gain * std::abs(energy_)) && first_near == history_.end();
+  }
+  const auto recent = history_.end() - window;
+  const auto smaller = [](const Reached& a, const Reached& b) { return a.residual < b.residual; };
+  const double before = std::min_element(history_.begin(), recent, smaller)->residual;
+  const double now = std::min_element(recent, history_.end(), smaller)->residual;
   if (!(now < before)) return true;
-  const double left = window * std::log(now / wanted) / std::log(before / now);
-  const double steps =
-      now < near ? 1 + std::log2(std::max(1.0, std::log(wanted) / std::log(now))) : steps_from_afar;
-  return left > newton_step * steps;
+  const double left = static_cast<double>(window) * std::log(now / wanted) / std::log(before / now);
+  return left > static_cast<double>(price);
 }
 
 IterationRecord EnergyDescent::step(Coordinates& x) {
@@ -305,7 +321,7 @@ IterationRecord EnergyDescent::step(Coordinates& x) {
   }
   if (found) {
     take_up(x);
-    residuals_.push_back(record_.residual);
+    history_.push_back({record_.residual, energy_});
     if (converged()) assess(x);
     stalled_ = is_slow();
   } else {

@@ -23,6 +23,11 @@ class CurvatureMemory {
 
   /// Forgets all steps, as when M has changed.
   void clear() { pairs_.clear(); }
+  /// Forgets all steps and frees their memory.
+  void release() {
+    pairs_.clear();
+    spare_ = {};
+  }
   /// Takes up a step s from where the gradient was g_before, and M^-1 of it mg_before, to where
   /// they are g and mg. A step along which the energy has no positive curvature is not kept.
   void add(std::span<const double> s, std::span<const double> g_before,
@@ -35,6 +40,11 @@ class CurvatureMemory {
     return pairs_.empty() ? 1 : pairs_.back().sy.front() / pairs_.back().zy.front();
   }
   std::size_t size() const { return pairs_.size(); }
+  std::size_t bytes() const {
+    std::size_t sum = bytes_of(spare_.s, spare_.z);
+    for (const Pair& pair : pairs_) sum += bytes_of(pair.s, pair.z);
+    return sum;
+  }
 
  private:
   struct Pair {
@@ -73,6 +83,8 @@ class EnergyDescent final : public OuterSolver {
 
   /// Switches to another problem with the same number of unknowns. Call start() next.
   void set_problem(std::shared_ptr<const EnergyProblem> problem);
+  /// Frees most of its memory until set_problem(), as while another method goes on.
+  void rest();
 
   /// Throws UsageError for a mesh with inverted elements.
   IterationRecord start(const Coordinates& x) override;
@@ -82,6 +94,13 @@ class EnergyDescent final : public OuterSolver {
   /// faster from here.
   bool stalled() const override { return stalled_; }
   Index stuck_nodes() const override { return problem_->stuck_nodes(); }
+  void count(MemoryUse& use) const override {
+    use.matrix += bytes_of(laplacian_.values);
+    use.preconditioner += preconditioner_->bytes();
+    use.vectors +=
+        memory_.bytes() + trial_.x.bytes() +
+        bytes_of(gradient_, preconditioned_, direction_, places_, rates_, scales_, trial_.gradient);
+  }
   /// The method, for reports: "L-BFGS, smoothed aggregation multigrid (4 levels)".
   std::string description() const { return "L-BFGS, " + preconditioner_->description(); }
 
@@ -91,6 +110,9 @@ class EnergyDescent final : public OuterSolver {
     double t = 0, move = 0, energy = 0;
     std::vector<double> gradient;
     Validity validity;
+  };
+  struct Reached {
+    double residual, energy;
   };
   bool fits() const;
   void precondition(const Coordinates& x);
@@ -118,7 +140,7 @@ class EnergyDescent final : public OuterSolver {
   int since_built_ = -1;  // iterations with this preconditioner; negative: there is none yet
   double built_at_ = 0;   // scaled residual for which it was made
   bool stalled_ = false;
-  std::vector<double> residuals_;  // after each step since start()
+  std::vector<Reached> history_;  // after each step since start()
 };
 
 }  // namespace winslow

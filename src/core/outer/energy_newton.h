@@ -37,6 +37,10 @@ class EnergyNewton final : public SteadySolver {
   /// gained almost nothing: see stagnates().
   bool stalled() const override { return stalled_; }
   Index stuck_nodes() const override { return problem_->stuck_nodes(); }
+  void count(MemoryUse& use) const override {
+    use.matrix += bytes_of(hessian_.values);
+    use.vectors += bytes_of(residual_, direction_) + linearised_at_.bytes();
+  }
 
   void reject() override { linearised_.reset(); }
 

@@ -33,6 +33,11 @@ class EquationNewton final : public SteadySolver {
   /// True if the last step found no descent, or only towards the limit of validity: usually the
   /// equations then have no valid solution. The mesh is left unchanged.
   bool stalled() const override { return stalled_; }
+  void count(MemoryUse& use) const override {
+    use.matrix += bytes_of(jacobian_.values, frozen_.matrix.values);
+    use.vectors += linearised_at_.bytes() +
+                   bytes_of(residual_, direction_, frozen_direction_, merit_weights_, frozen_.rhs);
+  }
 
   void reject() override { linearised_.reset(); }
 

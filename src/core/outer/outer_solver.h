@@ -59,6 +59,9 @@ class OuterSolver {
   /// Number of nodes held at folds of their curve or surface
   /// (EnergyProblem::holding_stuck_nodes()).
   virtual Index stuck_nodes() const { return 0; }
+  /// Adds the memory that it keeps from iteration to iteration, without its problem and without
+  /// solvers that it shares.
+  virtual void count(MemoryUse& /*use*/) const {}
   /// Linear systems solved since the solver was made.
   int linear_solves() const { return linear_solves_; }
 

@@ -21,6 +21,10 @@ class AndersonAcceleration {
   void accelerate(std::span<const double> x, std::span<double> step);
   /// Forgets everything (after the equations changed).
   void reset();
+  std::size_t bytes() const {
+    const std::size_t vectors = 3 + x_differences_.size() + step_differences_.size();
+    return vectors * static_cast<std::size_t>(weights_.size()) * sizeof(double);
+  }
 
  private:
   std::size_t depth_;
@@ -46,6 +50,10 @@ class PicardSolver final : public OuterSolver {
   IterationRecord start(const Coordinates& x) override;
   IterationRecord step(Coordinates& x) override;
   bool converged() const override;
+  void count(MemoryUse& use) const override {
+    use.matrix += bytes_of(system_.matrix.values);
+    use.vectors += bytes_of(system_.rhs) + (acceleration_ ? acceleration_->bytes() : 0);
+  }
 
  private:
   bool choose_clip(Index inverted);

@@ -35,31 +35,34 @@ inline int thread_count(int requested) {
 inline constexpr Index parallel_block = 4096;
 /// How many blocks cover [0, n).
 inline std::size_t block_count(Index n, Index block = parallel_block) {
-  return at((n + block - 1) / block);
+  return (at(n) + at(block) - 1) / at(block);
 }
 
 /// block: size of the blocks, smaller for an expensive body. If bodies throw, parallel_for()
 /// rethrows the exception of the lowest block after all threads have ended.
 template <typename Body>
 void parallel_for(int threads, Index n, Body&& body, Index block = parallel_block) {
-  const Index blocks = (n + block - 1) / block;
-  const Index workers = std::min<Index>(thread_count(threads), blocks);
+  // 64-bit: ends of blocks near the largest Index lie beyond it.
+  const auto blocks = static_cast<std::int64_t>(block_count(n, block));
+  const auto carry_out = [&](std::int64_t b) {
+    body(static_cast<Index>(b * block),
+         static_cast<Index>(std::min<std::int64_t>(n, (b + 1) * block)));
+  };
+  const auto workers = static_cast<Index>(std::min<std::int64_t>(thread_count(threads), blocks));
   if (workers <= 1) {
-    for (Index b = 0; b < blocks; ++b) body(b * block, std::min(n, (b + 1) * block));
+    for (std::int64_t b = 0; b < blocks; ++b) carry_out(b);
     return;
   }
   struct Failure {
-    Index block;
+    std::int64_t block;
     std::exception_ptr error;
   };
   std::vector<Failure> failures(static_cast<std::size_t>(workers));
-  std::atomic<Index> next = 0;
+  std::atomic<std::int64_t> next = 0;
   const auto work = [&](Index worker) {
-    Index b = 0;
+    std::int64_t b = 0;
     try {
-      while ((b = next.fetch_add(1, std::memory_order_relaxed)) < blocks) {
-        body(b * block, std::min(n, (b + 1) * block));
-      }
+      while ((b = next.fetch_add(1, std::memory_order_relaxed)) < blocks) carry_out(b);
     } catch (...) {
       failures[static_cast<std::size_t>(worker)] = {b, std::current_exception()};
     }

@@ -1,7 +1,5 @@
 #include "core/quality/metric.h"
 
-#include <algorithm>
-
 #include "core/error.h"
 
 namespace winslow {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include "core/mesh/coordinates.h"
 #include "core/mesh/topology.h"
 #include "core/types.h"

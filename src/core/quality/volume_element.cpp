@@ -1,7 +1,6 @@
 #include "core/quality/volume_element.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <limits>
 
 namespace winslow {
@@ -117,16 +116,15 @@ double VolumeElement::solid_angle(std::size_t corner) const {
   return sum;
 }
 
-double VolumeElement::smallest_solid_angle() const {
-  double smallest = unbounded;
-  for (std::size_t k = 0; k < corners_.size(); ++k) smallest = std::min(smallest, solid_angle(k));
-  return smallest;
-}
-
-double VolumeElement::largest_solid_angle() const {
-  double largest = -unbounded;
-  for (std::size_t k = 0; k < corners_.size(); ++k) largest = std::max(largest, solid_angle(k));
-  return largest;
+const VolumeElement::SolidAngles& VolumeElement::solid_angles() const {
+  if (solid_angles_) return *solid_angles_;
+  SolidAngles& angles = solid_angles_.emplace(SolidAngles{unbounded, -unbounded});
+  for (std::size_t k = 0; k < corners_.size(); ++k) {
+    const double angle = solid_angle(k);
+    angles.smallest = std::min(angles.smallest, angle);
+    angles.largest = std::max(angles.largest, angle);
+  }
+  return angles;
 }
 
 double VolumeElement::volume() const {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <optional>
 
 #include "core/mesh/coordinates.h"
 #include "core/mesh/element_type.h"
@@ -43,17 +44,23 @@ class VolumeElement {
   double scaled_jacobian() const;
   double radius_ratio() const;      ///< infinite where inverted
   double condition_number() const;  ///< infinite where inverted
-  double smallest_solid_angle() const;
-  double largest_solid_angle() const;
+  double smallest_solid_angle() const { return solid_angles().smallest; }
+  double largest_solid_angle() const { return solid_angles().largest; }
   double volume() const;
 
  private:
+  struct SolidAngles {
+    double smallest, largest;
+  };
   double solid_angle(std::size_t corner) const;
+  /// Found once, since both take long.
+  const SolidAngles& solid_angles() const;
 
   const Coordinates& coordinates_;
   SpacePoints x_;
   ElementType type_;
   std::span<const Index> corners_;
+  mutable std::optional<SolidAngles> solid_angles_;
 };
 
 /// Whether the Jacobian of the map from the reference element to a volume element is positive

@@ -1,6 +1,7 @@
 #include "core/strategy/newton_run.h"
 
 #include "core/error.h"
+#include "core/quality/quality.h"
 #include "core/strategy/sliding.h"
 
 namespace winslow {
@@ -71,7 +72,8 @@ bool NewtonRun::converge(Coordinates& x, double fraction, bool at_any_pace) {
     creeping = !at_any_pace && has_targets() && creeps(record);
     return creeping;
   };
-  const bool is_near = descend(x, fraction, {});
+  constexpr int most_first_order_steps = 600;
+  const bool is_near = descend(x, fraction, most_first_order_steps, {});
   if (is_near && recorder_.result().converged) return true;
   const auto enough = [&](const IterationRecord& record) {
     return too_slow(record) || near_enough(record);
@@ -174,16 +176,18 @@ void NewtonRun::move_along_path(const Motion& motion, const Coordinates& rest, C
   const double least_sine = worth_keeping * (given > 0 ? given : smallest_sine(x));
   Path path([&](double fraction, Coordinates& mesh) { motion.apply(rest, fraction, mesh); });
   const Coordinates start = x;
-  if (!approach(x, 0)) {
+  double reached = carry_and_descend(motion, path, least_sine, x);
+  if (reached > 0 && reached < 1) begin_path();
+  if (reached < 1 && !approach(x, reached)) {
+    reached = 0;
     begin_with_own_shapes(start, x);
     set_target_share(0);
     path.change_problem = [this](double share) { set_target_share(share); };
   }
   // Limits apply to solutions, so the meshes on the path must be solutions of the whole problem.
   if (!floor_.given()) begin_path();
-  const double reached = carry_along(motion, path, x);
+  if (reached == 0) reached = carry_along(motion, path, x);
   follow_path(path, reached, least_sine, x);
-  result.linear_solver = linear().description();
   if (result.fraction_reached < 1 && !result.contact && result.limited_by.empty())
     result.gap = smallest_gap(topology, x, motion.of_bodies(), yielding_nodes());
 }
@@ -234,12 +238,59 @@ std::optional<IterationRecord> NewtonRun::correct(Coordinates& x) {
   return record;
 }
 
+/// Whether many elements are stretched, as in layers.
+static bool is_layered(const Mesh& mesh) {
+  constexpr double stretched = 10, many = 0.05;
+  const auto conditions = element_values(mesh, Metric::condition_number);
+  const auto count = std::ranges::count_if(conditions, [](double c) { return !(c < stretched); });
+  return static_cast<double>(count) > many * static_cast<double>(conditions.size());
+}
+
+/// Carries a whole volume mesh along with rigid bodies, by as much at once as leaves it valid, and
+/// smooths it a little by first-order steps before the next part. These mend a sheared mesh, which
+/// Newton's method does not, for a fraction of what the path costs. Layers of stretched elements
+/// are better led along the path: a twist shears them. Returns the fraction of the motion reached.
+///
+/// least_sine: smallest normalized Jacobian of a mesh from which the path may go on.
+double NewtonRun::carry_and_descend(const Motion& motion, const Path& path, double least_sine,
+                                    Coordinates& x) {
+  const Topology& topology = *state_.mesh.topology;
+  if (topology.cell_dimension() != 3 || blocked_by_contact() || !may_carry_ || floor_.given() ||
+      !descends() || is_layered(state_.mesh))
+    return 0;
+  const auto twist = Twist::find(workspace_.classes(), x, motion, workspace_.options().threads);
+  if (!twist) return 0;
+  constexpr double most_turn = 90, shortest = 1.0 / 16;  // degrees; share of that
+  constexpr int few = 10, many = 20;                     // first-order steps between parts
+  const double whole = 1 / std::max(1.0, std::ceil(twist->largest_turn() / most_turn));
+  PathMesh good{0, x};  // the last one without slivers
+  double reached = 0;
+  for (double share = whole;
+       reached < 1 && share >= shortest * whole && recorder_.remaining() > 0;) {
+    const double to = reached + share > 1 - 0.5 * shortest * whole ? 1 : reached + share;
+    Coordinates there = carried(*twist, path, x, reached, to);
+    if (workspace_.validity(there).inverted > 0) {
+      share *= 0.5;
+      continue;
+    }
+    x = std::move(there);
+    reached = to;
+    if (reached < 1) descend(x, reached, share < whole ? many : few, near_enough);
+    if (smallest_sine(x) >= least_sine) good = {reached, x};
+  }
+  if (reached >= 1) {
+    recorder_.interior_is_behind();
+    return 1;
+  }
+  x = std::move(good.x);
+  return good.fraction;
+}
+
 /// Carries the whole mesh along with rigid bodies as far as Newton's method goes on well from
 /// there: the thinnest layers follow such a body at once, on a path only in short steps. The thin
-/// elements of a wake do not, and are better led along the path. Returns the fraction of the motion
-/// reached.
+/// elements of a wake do not, and are better led along the path. In space sheared tetrahedra cost
+/// Newton's method more than it saves. Returns the fraction of the motion reached.
 double NewtonRun::carry_along(const Motion& motion, const Path& path, Coordinates& x) {
-  // In space so far only the path pays: sheared tetrahedra cost Newton's method more than it saves.
   const Topology& topology = *state_.mesh.topology;
   if (!on_path() || blocked_by_contact() || !may_carry_ || topology.cell_dimension() == 3) return 0;
   const auto twist = Twist::find(workspace_.classes(), x, motion, workspace_.options().threads);
@@ -322,6 +373,7 @@ void NewtonRun::follow_path(const Path& path, double reached, double least_sine,
     ended = true;
     go_back(path, good, reached, x);
   }
+  recorder_.result().linear_solver = linear().description();
   if (reached >= 1 || ended || on_path()) end_path(x, reached);
 }
 
@@ -344,6 +396,7 @@ void NewtonRun::move_in_steps(const Motion& motion, const Coordinates& rest, int
     }
     if (k < increments) approach(x, fraction);
   }
+  recorder_.interior_is_behind();
   converge(x, 1);
 }
 
@@ -365,20 +418,20 @@ bool VariationalRun::descends() {
 }
 
 /// With the penalty that was asked for, so that the solution is one: no knee is raised.
-bool VariationalRun::descend(Coordinates& x, double fraction, const RunRecorder::Enough& enough) {
-  constexpr int limit = 200;
+bool VariationalRun::descend(Coordinates& x, double fraction, int limit,
+                             const RunRecorder::Enough& enough) {
   if (on_path_ || !descends()) return false;
   if (!(energy().penalty() == asked_for())) change_penalty(asked_for());
   if (descent_) {
     descent_->set_problem(energy_);
   } else {
-    const SmoothOptions& options = workspace().options();
-    descent_ = std::make_unique<EnergyDescent>(energy_,
-                                               DescentOptions{options.tolerance, options.threads});
+    descent_ = std::make_unique<EnergyDescent>(
+        energy_, DescentOptions{workspace().tolerance(), workspace().options().threads});
   }
   const IterationRecord last =
       recorder().iterate(*descent_, x, Stage::descent, fraction, limit, enough);
   recorder().result().linear_solver = descent_->description();
+  if (!recorder().result().converged) descent_->rest();  // Newton's method needs much memory
   return near_enough(last) && !(last.inverted > 0);
 }
 
@@ -508,6 +561,7 @@ class FixedPointMotion {
       if (give_up && recorder_.result().inverted > 0) return false;
     }
     motion_.apply(rest_, 1, x);
+    recorder_.interior_is_behind();
     recorder_.iterate(solver_, x, Stage::picard, 1, max_iterations_,
                       give_up ? RunRecorder::Enough(hopeless) : RunRecorder::Enough());
     return recorder_.result().inverted == 0;

@@ -52,10 +52,12 @@ class NewtonRun {
   /// until `enough` returns true.
   virtual void relax(Coordinates& /*x*/, double /*fraction*/,
                      const RunRecorder::Enough& /*enough*/) {}
-  /// Called before relax() and Newton's method, at a valid mesh: first-order steps towards the
-  /// solution, where these pay. Iterates until `enough` returns true. Returns whether the mesh is
-  /// near the solution (near_enough()); if it is one, the recorder knows.
-  virtual bool descend(Coordinates& /*x*/, double /*fraction*/,
+  /// Whether first-order steps pay.
+  virtual bool descends() { return false; }
+  /// Called before relax() and Newton's method, at a valid mesh: at most `limit` first-order steps
+  /// towards the solution, where these pay. Iterates until `enough` returns true. Returns whether
+  /// the mesh is near the solution (near_enough()); if it is one, the recorder knows.
+  virtual bool descend(Coordinates& /*x*/, double /*fraction*/, int /*limit*/,
                        const RunRecorder::Enough& /*enough*/) {
     return false;
   }
@@ -100,6 +102,8 @@ class NewtonRun {
   Coordinates carried(const Twist& twist, const Path& path, const Coordinates& x, double from,
                       double to);
   std::optional<IterationRecord> correct(Coordinates& x);
+  double carry_and_descend(const Motion& motion, const Path& path, double least_sine,
+                           Coordinates& x);
   double carry_along(const Motion& motion, const Path& path, Coordinates& x);
   void follow_path(const Path& path, double reached, double least_sine, Coordinates& x);
   static void go_back(const Path& path, PathMesh& earlier, double& reached, Coordinates& x);
@@ -132,8 +136,9 @@ class VariationalRun final : public NewtonRun {
   /// Far from a solution the steep penalty slows Newton's method down, so a gentle one comes first.
   /// If its mesh still has elements far beyond the knee, the knee is doubled until none is.
   void relax(Coordinates& x, double fraction, const RunRecorder::Enough& enough) override;
-  bool descend(Coordinates& x, double fraction, const RunRecorder::Enough& enough) override;
-  bool descends();
+  bool descends() override;
+  bool descend(Coordinates& x, double fraction, int limit,
+               const RunRecorder::Enough& enough) override;
   bool has_targets() const override { return true; }
   void vary_targets(const Coordinates& from) override;
   void set_target_share(double share) override;

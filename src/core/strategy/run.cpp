@@ -73,20 +73,38 @@ class Checkpoints {
 
 }  // namespace
 
+void RunRecorder::note_memory(const OuterSolver& solver) {
+  if (!shared_) return;
+  MemoryUse use;
+  shared_(use);
+  solver.count(use);
+  if (use.total() > result_.memory.total()) result_.memory = use;
+}
+
 IterationRecord RunRecorder::iterate(OuterSolver& solver, Coordinates& x, Stage stage,
                                      double fraction, int limit, const Enough& enough) {
   const Checkpoints checkpoints(solver, monitor_);
   int counted = solver.linear_solves();
+  constexpr double caught_up = 0.01, least = 1e-10;
   IterationRecord record = solver.start(x);
   report(record, x, stage, fraction, false);
+  if (std::exchange(interior_is_behind_, false))
+    caught_up_ = std::max(caught_up * record.residual, least);
+  double before = std::numeric_limits<double>::infinity();  // residual, an iteration ago
+  const auto ended = [&] {
+    const bool behind = record.residual > caught_up_ && record.residual < before;
+    return solver.stalled() || (solver.converged() && !behind);
+  };
   const int most = std::min(limit, remaining());
-  for (int done = 0; done < most && !solver.converged() && !solver.stalled(); ++done) {
+  for (int done = 0; done < most && !ended(); ++done) {
     if (enough && enough(record)) break;
+    before = record.residual;
     record = solver.step(x);
     result_.linear_solves += solver.linear_solves() - counted;
     counted = solver.linear_solves();
     report(record, x, stage, fraction, true);
   }
+  note_memory(solver);
   result_.converged = solver.converged();
   result_.stuck_nodes = solver.stuck_nodes();
   if (result_.converged) result_.out_of_iterations = false;

@@ -107,7 +107,8 @@ struct RunOptions {
   SolverMonitor* monitor = nullptr;
   /// A mesh to start from instead of the state's own (all nodes). For dragging: the solution is the
   /// same, but this start is nearer to it. If it is valid, paths begin at its boundary; all other
-  /// methods use only its interior.
+  /// methods use only its interior. Without a tolerance of its own the command is solved to 1e-10,
+  /// in volume meshes too, so that the start is not seen in the result.
   const Coordinates* start = nullptr;
   /// Prepared solvers, kept from call to call. Null: nothing is reused.
   SolverCache* cache = nullptr;
@@ -170,6 +171,8 @@ struct SmoothResult : RunOutcome {
   Index prescribed_inside = 0;  ///< interior nodes that the motion takes
   std::optional<LayersHeld> layers_held;  ///< at held walls of a volume mesh; none: no walls held
   std::vector<IterationRecord> history;
+  /// Memory at the end of the stage of the run that took the most.
+  MemoryUse memory;
 };
 
 /// Why a motion was not completed, as a clause: "flap would touch main at 32.4 % of the way".
@@ -205,15 +208,25 @@ class RunRecorder {
               bool advance);
 
   using Enough = std::function<bool(const IterationRecord&)>;
-  /// Starts a solver at x and iterates until it has converged, `enough` says so, `limit`
-  /// iterations are done, or the budget is spent. Returns the last record; outcome and counts go
-  /// into the result.
+  /// Starts a solver at x and iterates until it has converged (see interior_is_behind()), `enough`
+  /// says so, `limit` iterations are done, or the budget is spent. Returns the last record; outcome
+  /// and counts go into the result.
   IterationRecord iterate(OuterSolver& solver, Coordinates& x, Stage stage, double fraction,
                           int limit, const Enough& enough = {});
   IterationRecord iterate(OuterSolver& solver, Coordinates& x, Stage stage, double fraction,
                           const Enough& enough = {}) {
     return iterate(solver, x, stage, fraction, budget_, enough);
   }
+
+  /// Tells that the boundary of the next mesh has moved and its interior has not. Iterations then
+  /// end no earlier than at a hundredth of the residual that this causes: that of a small motion
+  /// may be below the tolerance, and the interior would stay behind. Down to 1e-10, and as long as
+  /// every iteration lowers the residual.
+  void interior_is_behind() { interior_is_behind_ = true; }
+
+  /// Sets a function that adds the memory of what all stages share. Without one no memory is
+  /// counted.
+  void count_memory(std::function<void(MemoryUse&)> shared) { shared_ = std::move(shared); }
 
   /// Outer iterations left of the budget.
   int remaining() const { return budget_ - result_.outer_iterations; }
@@ -225,9 +238,14 @@ class RunRecorder {
   void restore_outcome(const RunOutcome& earlier) { static_cast<RunOutcome&>(result_) = earlier; }
 
  private:
+  void note_memory(const OuterSolver& solver);
+
   SolverMonitor* monitor_;
   SmoothResult& result_;
   int budget_;
+  bool interior_is_behind_ = false;
+  double caught_up_ = std::numeric_limits<double>::infinity();  // residual at which it no longer is
+  std::function<void(MemoryUse&)> shared_;
 };
 
 }  // namespace winslow

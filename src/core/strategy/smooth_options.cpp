@@ -8,6 +8,8 @@ namespace winslow {
 
 namespace {
 
+constexpr double tight_tolerance = 1e-10, volume_tolerance = 1e-4;
+
 void require(bool good, const std::string& message) {
   if (!good) throw UsageError(message);
 }
@@ -251,10 +253,11 @@ OptionTable limits(SmoothOptions& o) {
                "pointwise: of each attempt at a motion",
        .advice = "Raise it if a run ends valid but not converged."},
       {.key = "tolerance",
-       .value = RealOption{&o.tolerance, inside(0, 1)},
+       .value = OptionalRealOption{&o.tolerance, inside(0, 1), "1e-10; volume meshes: 1e-4"},
        .label = "Tolerance",
        .help = "Largest scaled residual at which the mesh counts as converged",
-       .advice = "1e-4 is enough for the eye."},
+       .advice = "1e-4 is enough for the eye. Drags and sweeps begin from other meshes and take "
+                 "1e-10 in volume meshes too."},
       {.key = "threads",
        .value = IntegerOption{&o.threads, between(0, 4096)},
        .label = "Threads",
@@ -266,6 +269,19 @@ OptionTable limits(SmoothOptions& o) {
 
 std::string_view formulation_name(Formulation formulation) {
   return formulation == Formulation::variational ? "variational" : "pointwise";
+}
+
+double default_tolerance(int cell_dimension) {
+  return cell_dimension == 3 ? volume_tolerance : tight_tolerance;
+}
+
+double tolerance_of(const SmoothOptions& options, int cell_dimension) {
+  return options.tolerance.value_or(default_tolerance(cell_dimension));
+}
+
+SmoothOptions independent_of_start(SmoothOptions options) {
+  options.tolerance = options.tolerance.value_or(tight_tolerance);
+  return options;
 }
 
 OptionTable option_table(SmoothOptions& options) {
@@ -379,6 +395,17 @@ OptionTable surface_option_table(SmoothOptions& options) {
       option.value = left_of(options.untangle, option.value, {"auto", "energy"});
     else if (option.key == "vcv")
       option.value = left_of(options.vcv, option.value, {"auto", "equal"});
+  }
+  return table;
+}
+
+OptionTable option_table(SmoothOptions& options, MeshKind kind) {
+  OptionTable table =
+      kind == MeshKind::surface ? surface_option_table(options) : option_table(options);
+  for (Option& option : table) {
+    if (auto* real = std::get_if<OptionalRealOption>(&option.value);
+        real && real->value == &options.tolerance)
+      real->instead = default_tolerance(cell_dimension_of(kind));
   }
   return table;
 }

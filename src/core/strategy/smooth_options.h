@@ -66,16 +66,30 @@ struct SmoothOptions {
   bool adapt_damping = true;
   int acceleration = 15;
   Clip clip = Clip::automatic;
-  int max_iterations = 500;
-  double tolerance = 1e-10;       ///< of ResidualNorms::max
-  KeepOutside keep_outside = {};  ///< default: no region, all interior nodes are free
-  SlideOptions slide = {};        ///< default: no boundary node slides
-  bool raise_worst = false;       ///< finally raise the worst element as far as possible
+  int max_iterations = 1000;
+  std::optional<double> tolerance = {};  ///< of ResidualNorms::max; none: default_tolerance()
+  KeepOutside keep_outside = {};         ///< default: no region, all interior nodes are free
+  SlideOptions slide = {};               ///< default: no boundary node slides
+  bool raise_worst = false;              ///< finally raise the worst element as far as possible
   int threads = 0;
 };
 
+/// The tolerance of runs that are given none, on meshes of this cell dimension: 1e-4 for volume
+/// meshes, 1e-10 for plane and surface meshes. In space the last solves are the dearest, and from
+/// 1e-4 on they change no digit of the quality that is shown (docs/performance.md).
+double default_tolerance(int cell_dimension);
+/// The tolerance in effect on meshes of this cell dimension: the one given, else the default.
+double tolerance_of(const SmoothOptions& options, int cell_dimension);
+/// These options with a tolerance of 1e-10 where none is given, for runs that begin from the result
+/// of another one: where the mesh of a body must not depend on the way there, a mesh near the
+/// solution is not enough.
+SmoothOptions independent_of_start(SmoothOptions options);
+
 /// All options that a user can set.
 OptionTable option_table(SmoothOptions& options);
+/// The rows for meshes of one kind, with the default tolerance of such meshes. For surface meshes
+/// this is surface_option_table().
+OptionTable option_table(SmoothOptions& options, MeshKind kind);
 
 /// Throws UsageError naming the option that is out of range, or the options that are incompatible.
 void validate(const SmoothOptions& options);

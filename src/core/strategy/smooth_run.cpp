@@ -304,6 +304,15 @@ SmoothResult move_alone(const MeshState& state, const Motion& bodies, const Smoo
   return result;
 }
 
+/// Lets a run count the memory of what its stages share: the meshes and the workspace.
+void count_memory(const MeshState& state, const SmoothingWorkspace& workspace, const Coordinates& x,
+                  RunRecorder& recorder) {
+  recorder.count_memory([&](MemoryUse& use) {
+    use.mesh += state.mesh.topology->bytes() + state.mesh.coordinates.bytes() + x.bytes();
+    workspace.count(use);
+  });
+}
+
 /// The fixed point may need several attempts at a motion; the limit applies to each.
 int budget(const SmoothOptions& options) {
   return by_fixed_point(options) ? std::numeric_limits<int>::max() : options.max_iterations;
@@ -398,6 +407,7 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& asked,
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes,
                                    result.boundary.interfaces, x);
   RunRecorder recorder(run.monitor, result, budget(options));
+  count_memory(state, workspace, x, recorder);
   smooth_at_end(state, workspace, recorder, x);
   follow_with_vcvs(state, workspace, recorder, x);
   if (by_fixed_point(options)) return result;
@@ -433,6 +443,7 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
                                              along_path ? MotionPart::way : MotionPart::end);
   if (!along_path) result.held_inversion = inversion;
   RunRecorder recorder(run.monitor, result, budget(options));
+  count_memory(state, workspace, x, recorder);
   if (by_fixed_point(options)) {
     move_by_fixed_point(state.mesh.coordinates, motion, how.increments, options.max_iterations,
                         workspace.picard(), recorder, x);

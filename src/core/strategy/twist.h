@@ -10,11 +10,15 @@ namespace winslow {
 ///     if (const auto twist = Twist::find(classes, x, motion, threads)) twist->carry(0, 1, x);
 ///
 /// Each node follows a screw motion. Its twist is the sum of those of the bodies times the weights
-/// of the node. For each body, u solves Laplace's equation on the mesh with u = 1 on the
-/// body, and u = 0 on other bodies and on all fixed nodes. With S(u) = u^2 (3 - 2 u) and U the sum
-/// of u over the bodies, the weight of a body is S(U) S(u) over the sum of S(u). Near bodies the
-/// gradient of the weights vanishes, so layers there move as rigid bodies. If nothing is fixed, the
+/// of the node. For each body, u solves the p-Laplace equation on the mesh (LaplaceEquation) with
+/// u = 1 on the body, and u = 0 on other bodies and on all fixed nodes. If nothing is fixed, the
 /// weights add up to 1.
+///
+/// In space p = 3, and u is the weight. It spreads the shear: the twist of an ellipsoid in a tight
+/// box by 90 degrees inverts no element where p = 2 inverts 66. In the plane p = 2. With
+/// S(u) = u^2 (3 - 2 u) and U the sum of u over the bodies, the weight of a body is there
+/// S(U) S(u) over the sum of S(u). Near bodies the gradient of these weights vanishes, so layers
+/// there move as rigid bodies.
 class Twist {
  public:
   /// x: a valid mesh before the motion. None unless all bodies are rigid. classes outlives the
@@ -37,7 +41,6 @@ class Twist {
   };
 
   Twist(const NodeClasses& classes, const Vec3& origin) : classes_(classes), origin_(origin) {}
-  void set_weights(const std::vector<const Motion*>& bodies, std::vector<std::vector<double>> u);
 
   const NodeClasses& classes_;
   Vec3 origin_;  // to which the twists refer

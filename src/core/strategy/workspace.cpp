@@ -212,7 +212,7 @@ PicardSolver& SmoothingWorkspace::picard() {
   return *run_.picard.of({problems.plain, linear}, [&] {
     return std::make_unique<PicardSolver>(
         ClipVariants<FixedPointProblem>{problems.plain, problems.clipped}, *linear,
-        equation_options(options_));
+        equation_options(options_, cell_dimension()));
   });
 }
 
@@ -220,7 +220,8 @@ EquationNewton& SmoothingWorkspace::pointwise_newton() {
   const ClipVariants<EquationProblem> problems = pointwise();
   const auto& linear = general_solver(made_.newton_linear);
   return *run_.pointwise_newton.of({problems.plain, linear}, [&] {
-    return std::make_unique<EquationNewton>(problems, *linear, equation_options(options_));
+    return std::make_unique<EquationNewton>(problems, *linear,
+                                            equation_options(options_, cell_dimension()));
   });
 }
 
@@ -228,7 +229,8 @@ EnergyNewton& SmoothingWorkspace::newton() {
   const auto problem = energy();
   const auto& linear = shared_symmetric_linear();
   return *run_.newton.of({problem, linear}, [&] {
-    return std::make_unique<EnergyNewton>(problem, *linear, newton_options(options_));
+    return std::make_unique<EnergyNewton>(problem, *linear,
+                                          newton_options(options_, cell_dimension()));
   });
 }
 
@@ -242,6 +244,16 @@ SmoothingWorkspace::TimesMade SmoothingWorkspace::times_made() const {
           made_.form.times_made(), made_.computed_vcvs.times_made(),
           made_.linear.times_made() + made_.symmetric_linear.times_made() +
               made_.newton_linear.times_made()};
+}
+
+void SmoothingWorkspace::count(MemoryUse& use) const {
+  if (const auto* form = made_.form.kept()) (*form)->count(use);
+  if (const auto* pattern = made_.pointwise_pattern.kept())
+    use.structure += (*pattern)->rows->bytes();
+  if (const auto* vcvs = made_.computed_vcvs.kept()) use.targets += vcvs->vcvs->bytes();
+  if (run_.adjusted.vcvs) use.targets += run_.adjusted.vcvs->bytes();
+  for (const KeyedSolver* solver : {&made_.linear, &made_.symmetric_linear, &made_.newton_linear})
+    if (const auto* linear = solver->kept()) (*linear)->count(use);
 }
 
 SolverCache::SolverCache() = default;

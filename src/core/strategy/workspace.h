@@ -38,6 +38,8 @@ class Keyed {
     }
     return kept_->product;
   }
+  /// The product that is kept; null: none.
+  const Product* kept() const { return kept_ ? &kept_->product : nullptr; }
   /// How often a product was made.
   std::size_t times_made() const { return times_made_; }
 
@@ -50,13 +52,14 @@ class Keyed {
   std::size_t times_made_ = 0;
 };
 
-/// Converts the options of a smoothing run into those of its solvers.
-inline NewtonOptions newton_options(const SmoothOptions& options) {
-  return {options.tolerance, options.linear.tolerance};
+/// Converts the options of a smoothing run into those of its solvers, for meshes of this cell
+/// dimension.
+inline NewtonOptions newton_options(const SmoothOptions& options, int cell_dimension) {
+  return {tolerance_of(options, cell_dimension), options.linear.tolerance};
 }
-inline EquationOptions equation_options(const SmoothOptions& options) {
-  return {options.clip, options.tolerance, options.damping, options.adapt_damping,
-          options.acceleration};
+inline EquationOptions equation_options(const SmoothOptions& options, int cell_dimension) {
+  return {options.clip, tolerance_of(options, cell_dimension), options.damping,
+          options.adapt_damping, options.acceleration};
 }
 
 VolumeVcvOptions volume_vcv_options(const SmoothOptions& options);
@@ -133,12 +136,16 @@ class SmoothingWorkspace {
   /// Validity of the run's mesh at x.
   Validity validity(const Coordinates& x) const;
   const SmoothOptions& options() const { return options_; }
+  /// The tolerance in effect on the run's mesh.
+  double tolerance() const { return tolerance_of(options_, cell_dimension()); }
 
   /// How often each product was made, by all runs on the present topology together.
   struct TimesMade {
     std::size_t energy_patterns, pointwise_patterns, targets, vcvs, linear_solvers;
   };
   TimesMade times_made() const;
+  /// Adds the memory of all products but outer solvers.
+  void count(MemoryUse& use) const;
 
  private:
   using Classes = std::shared_ptr<const NodeClasses>;
@@ -243,7 +250,8 @@ class SmoothingWorkspace {
     Keyed<EnergyKey, std::shared_ptr<const VariationalForm>> energy;
   };
 
-  bool in_space() const { return classes_->topology().cell_dimension() == 3; }
+  int cell_dimension() const { return classes_->topology().cell_dimension(); }
+  bool in_space() const { return cell_dimension() == 3; }
   bool tangled(const Coordinates& x) const { return validity(x).inverted > 0; }
   ComputedVcvs make_vcvs(const Coordinates& x) const;
   const ComputedVcvs& computed_vcvs();

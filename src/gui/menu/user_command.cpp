@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <cctype>
-#include <stdexcept>
 
 namespace winslow::gui {
 

@@ -311,10 +311,11 @@ const Command* command_shown(const LiveMesh& mesh) {
 }
 
 /// Tolerance of the shown iterations: that of their command, or else of the next one.
-double tolerance_of(const LiveMesh& mesh, const SmoothOptions& next) {
-  const Command* command = command_shown(mesh);
+double tolerance_shown(const Session& session) {
+  const Command* command = command_shown(session.mesh());
   const SmoothOptions* options = command ? smooth_options(*command) : nullptr;
-  return (options ? *options : next).tolerance;
+  return tolerance_of(options ? *options : session.solver_settings().smooth_options(),
+                      cell_dimension_of(session.kind()));
 }
 
 /// Shows the iterations of the running job, or of the command that led to the present mesh.
@@ -329,8 +330,7 @@ class ConvergencePanel {
     size.x = std::max(size.x, 1.0f);
     size.y = std::max(size.y, 1.0f);
     // An active text field may contain any number.
-    const double tolerance =
-        tolerance_of(session.mesh(), session.solver_settings().smooth_options());
+    const double tolerance = tolerance_shown(session);
     ConvergencePlot plot{history, {}, series_};
     if (tolerance > 0) plot.tolerance = tolerance;
     draw_convergence_plot("convergence/plot", plot, size, context.theme.scale);

@@ -283,7 +283,7 @@ class ZoneMaker {
     for (Index e = 0; e < topology_.element_count(); ++e) {
       entries.push_back(static_cast<std::int32_t>(element_number(topology_.element_type(e))));
       for (const Index node : in_space_.element(e)) entries.push_back(node + 1);
-      starts.push_back(static_cast<std::int32_t>(entries.size()));
+      starts.push_back(index_count(entries.size(), "numbers in a section of a CGNS file"));
     }
     add_section("MixedElements", mixed, 0, topology_.element_count(), entries);
     add_starts(starts);
@@ -310,7 +310,7 @@ class ZoneMaker {
     for (const Face& face : marker.faces) {
       if (!even) entries.push_back(static_cast<std::int32_t>(number(face)));
       for (const Index node : face) entries.push_back(node + 1);
-      starts.push_back(static_cast<std::int32_t>(entries.size()));
+      starts.push_back(index_count(entries.size(), "numbers in a section of a CGNS file"));
     }
     const auto count = static_cast<Index>(marker.faces.size());
     std::string name = add_section(marker.name, even ? type : mixed, first, count, entries);

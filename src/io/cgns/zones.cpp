@@ -1,7 +1,6 @@
 #include "io/cgns/zones.h"
 
 #include <cmath>
-#include <limits>
 
 #include "core/error.h"
 #include "core/types.h"

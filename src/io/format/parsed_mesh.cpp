@@ -90,13 +90,13 @@ bool set_in_plane(const Source& source, const std::vector<double>& xyz, ParsedMe
       require_finite(source, mesh.where.nodes[i], i, xyz[3 * i + k]);
   }
   if (first_off_level(xyz) == n) {
-    mesh.data.coordinates = Coordinates(2, static_cast<Index>(n));
+    mesh.data.coordinates = Coordinates(2, index_count(n, "nodes"));
     set_level_nodes(xyz, mesh);
     return true;
   }
   auto plane = PlanePlacement::find(xyz);
   if (!plane) return false;
-  mesh.data.coordinates = Coordinates(2, static_cast<Index>(n));
+  mesh.data.coordinates = Coordinates(2, index_count(n, "nodes"));
   for (Index i = 0; i < plane->size(); ++i) mesh.data.coordinates.set_xy(i, plane->in_plane(i));
   mesh.warnings.push_back("the mesh lies in " + plane->plane_text() +
                           " of space: its coordinates are " + plane->axes_text());
@@ -117,7 +117,7 @@ void set_planar_nodes(const Source& source, const std::vector<double>& xyz, Pars
 }
 
 void set_space_nodes(const Source& source, const std::vector<double>& xyz, ParsedMesh& mesh) {
-  mesh.data.coordinates = Coordinates(3, static_cast<Index>(xyz.size() / 3));
+  mesh.data.coordinates = Coordinates(3, index_count(xyz.size() / 3, "nodes"));
   std::ranges::copy(xyz, mesh.data.coordinates.values().begin());
   check_finite(source, mesh);
 }

@@ -40,6 +40,7 @@ MoveCommand turn(const MeshState& state, double degrees) {
   command.bodies[0].motion.pivot = Vec2(0.5, 0.5);
   if (state.mesh.topology->cell_dimension() == 3)
     command.bodies[0].motion.pivot = GivenVector::of_three(Vec3(0.5, 0.5, 0.5));
+  command.smooth.tolerance = 1e-10;
   return command;
 }
 

@@ -51,6 +51,7 @@ CommandResult single(const Series& series, std::size_t step, const MeshState& st
   command.bodies = series.steps[step];
   command.how = series.how;
   command.smooth = series.smooth;
+  command.smooth.tolerance = series.smooth.tolerance.value_or(1e-10);  // as steps of a series
   RunOptions options;
   options.all_or_nothing = true;
   return execute(command, state, options);

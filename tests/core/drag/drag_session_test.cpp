@@ -325,7 +325,8 @@ struct Cavity {
   }
   /// What the command makes of it that ends the drag.
   Coordinates moved(const ReferenceSurface& surface) const {
-    const MoveCommand command{{{{"cavity"}, wanted}}, {}, options};
+    MoveCommand command{{{{"cavity"}, wanted}}, {}, options};
+    command.smooth.tolerance = 1e-10;
     return execute(ResolvedCommand(command, on(surface)), state).state.mesh.coordinates;
   }
 

@@ -90,7 +90,7 @@ double conformal_error(Index sectors, Index rings) {
   options.clip = Clip::off;
   options.threads = 1;
   const auto [plain, clipped] = clip_variants(winslow);
-  PicardSolver solver({plain, clipped}, *linear, equation_options(options));
+  PicardSolver solver({plain, clipped}, *linear, equation_options(options, 2));
   solver.start(mesh.coordinates);
   for (int k = 0; k < 500 && !solver.converged(); ++k) solver.step(mesh.coordinates);
   REQUIRE(solver.converged());
@@ -185,7 +185,7 @@ TEST_CASE("an annulus of quadrilaterals converges to its exact map to second ord
     options.clip = Clip::off;
     options.threads = 1;
     const auto [plain, clipped] = clip_variants(winslow);
-    PicardSolver solver({plain, clipped}, *linear, equation_options(options));
+    PicardSolver solver({plain, clipped}, *linear, equation_options(options, 2));
     solver.start(mesh.coordinates);
     for (int k = 0; k < 500 && !solver.converged(); ++k) solver.step(mesh.coordinates);
     REQUIRE(solver.converged());

@@ -266,6 +266,35 @@ TEST_CASE("a boundary that touches itself in one node is refused") {
   CHECK(says(error, "meet in this node only"));
 }
 
+TEST_CASE("of faults in a mesh that several threads go through, the first is named") {
+  // Pairs of cavities that share one corner: far from the origin, and near it.
+  constexpr Index n = 18;
+  const auto near_corner = [](Index low) {
+    return [low](Index i, Index j, Index k) {
+      return (i == low && j == low && k == low) || (i == low + 1 && j == low + 1 && k == low + 1);
+    };
+  };
+  const MeshData data = cubes_with_holes(n, Volumes::hexahedra, [&](Index i, Index j, Index k) {
+    return near_corner(2)(i, j, k) || near_corner(14)(i, j, k);
+  });
+  REQUIRE(data.node_count() > 4096);  // blocks of parallel loops
+  const MeshError error = refusal(data);
+  CHECK(error.entity() == MeshEntity::node);
+  CHECK(data.coordinates.xyz(error.index()) == Vec3(3, 3, 3) / n);
+
+  // An element three times, at either end: the face of the lowest nodes is the first.
+  MeshData thrice =
+      cubes_with_holes(n, Volumes::hexahedra, [](Index, Index, Index) { return false; });
+  for (const Index e : {thrice.element_count() - 1, Index{5}}) {
+    const std::vector<Index> corners(thrice.element(e).begin(), thrice.element(e).end());
+    for (int k = 0; k < 2; ++k) thrice.add_element(ElementType::hexahedron, corners);
+  }
+  const MeshError again = refusal(thrice);
+  CHECK(again.entity() == MeshEntity::element);
+  CHECK(again.index() >= thrice.element_count() - 2);  // the copies of element 5
+  CHECK(says(again, "is shared by "));
+}
+
 TEST_CASE("neighbours that join the corners of a quadrilateral differently are refused") {
   MeshData data = cubes_with_holes(2, Volumes::hexahedra,
                                    [](Index, Index j, Index k) { return j > 0 || k > 0; });

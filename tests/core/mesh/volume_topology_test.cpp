@@ -246,6 +246,39 @@ TEST_CASE("stars and neighbours are those of a search through all elements, asce
   }
 }
 
+TEST_CASE("faces, stars and neighbours of meshes that several threads go through in blocks") {
+  Random random(32);
+  for (const Volumes volumes : {Volumes::mixed, Volumes::tetrahedra}) {
+    CAPTURE(name_of(volumes));
+    const MeshData data = shuffled_volume(cube(18, volumes), random, true);
+    REQUIRE(data.node_count() > 4096);  // blocks of parallel loops
+    const auto topology = Topology::build(data);
+    const auto expected = faces_by_brute_force(data);
+    REQUIRE(topology->face_count() == static_cast<Index>(expected.size()));
+    Index f = 0;
+    for (const auto& [nodes, elements] : expected) {
+      const Topology::SharedFace face = topology->face(f++);
+      REQUIRE(face.nodes.sorted() == nodes);
+      const std::vector<Index> beside(face.elements.begin(),
+                                      face.elements.begin() + (face.elements[1] < 0 ? 1 : 2));
+      REQUIRE(std::ranges::is_permutation(beside, elements));
+    }
+    std::vector<std::set<Index>> stars(at(data.node_count())), neighbours(stars.size());
+    for (Index e = 0; e < data.element_count(); ++e) {
+      const auto corners = data.element(e);
+      for (const Index node : corners) stars[at(node)].insert(e);
+      for (const auto& [a, b] : shape_of(data.types[at(e)]).edges) {
+        neighbours[at(corners[at(a)])].insert(corners[at(b)]);
+        neighbours[at(corners[at(b)])].insert(corners[at(a)]);
+      }
+    }
+    for (Index node = 0; node < data.node_count(); ++node) {
+      REQUIRE(std::ranges::equal(topology->star(node), stars[at(node)]));
+      REQUIRE(std::ranges::equal(topology->neighbours(node), neighbours[at(node)]));
+    }
+  }
+}
+
 TEST_CASE("links close around interior nodes and are discs on the boundary") {
   Random random(41);
   for (const Sample& sample : samples()) {

@@ -328,6 +328,7 @@ TEST_CASE("a run may be told to begin with first-order steps, and ends as Newton
   SmoothCommand command;
   command.smooth.threads = 1;
   command.smooth.targets = TargetBlend::regular();
+  command.smooth.tolerance = 1e-10;
   const auto run = [&](OuterMethod outer) {
     command.smooth.outer = outer;
     return execute(command, state);

@@ -33,7 +33,7 @@ struct Solver {
     linear_options.solver = linear_name;
     linear_options.tolerance = 1e-8;
     linear = make_linear_solver(linear_options);
-    newton = std::make_unique<EnergyNewton>(energy, *linear, newton_options({}));
+    newton = std::make_unique<EnergyNewton>(energy, *linear, newton_options({}, 2));
   }
 
   std::vector<IterationRecord> run(Coordinates& x) const {

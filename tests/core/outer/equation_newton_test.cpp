@@ -50,7 +50,7 @@ class Smoother {
       : vcv_(mesh.topology),
         formulation_(pointwise(vcv_, options.threads)),
         linear_(make_linear_solver(options.linear, options.threads)),
-        solver_(variants<Solver>(formulation_), *linear_, equation_options(options)) {}
+        solver_(variants<Solver>(formulation_), *linear_, equation_options(options, 2)) {}
 
   /// Iterates to convergence, a stall or the limit.
   Coordinates run(Coordinates x, int limit) {
@@ -408,7 +408,8 @@ TEST_CASE("the pointwise Newton where systems are singular: no step, no predicti
   const VirtualControlVolumes vcv(mesh.topology);
   const PointwiseWinslow formulation = pointwise(vcv);
   Refusing linear;
-  EquationNewton newton(variants<EquationNewton>(formulation), linear, equation_options(tight()));
+  EquationNewton newton(variants<EquationNewton>(formulation), linear,
+                        equation_options(tight(), 2));
   Coordinates x = mesh.coordinates;
   newton.start(x);
   newton.step(x);

@@ -33,7 +33,7 @@ class Smoother {
         vcv_(mesh.topology),
         formulation_(pointwise(vcv_, options.threads)),
         linear_(make_linear_solver(options.linear)),
-        solver_(variants(formulation_), *linear_, equation_options(options)),
+        solver_(variants(formulation_), *linear_, equation_options(options, 2)),
         options_(options) {}
 
   /// Iterates to convergence or to the limit.
@@ -303,7 +303,7 @@ TEST_CASE("an accelerated step never inverts a valid mesh: the plain one takes i
     const auto linear = make_linear_solver({});
     SmoothOptions options = tight();
     options.damping = 0.5;
-    PicardSolver solver({creeping, creeping}, *linear, equation_options(options));
+    PicardSolver solver({creeping, creeping}, *linear, equation_options(options, 2));
     Coordinates x = mesh.coordinates;
     solver.start(x);
     solver.step(x);

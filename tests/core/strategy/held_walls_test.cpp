@@ -24,6 +24,7 @@ MoveCommand push_down(double by) {
   move.bodies[0].motion.translate = {0, 0, -by};
   move.smooth.slide.markers = {"walls"};
   move.smooth.slide.features = true;
+  move.smooth.tolerance = 1e-10;
   return move;
 }
 

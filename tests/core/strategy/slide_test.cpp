@@ -309,6 +309,7 @@ MoveCommand body_moved(const Vec3& by) {
   move.bodies[0].markers = {"body"};
   move.bodies[0].motion.translate = by;
   move.smooth.targets = TargetBlend::regular();
+  move.smooth.tolerance = 1e-10;
   return move;
 }
 

@@ -96,6 +96,37 @@ TEST_CASE("options out of range are refused, naming the option") {
   }
 }
 
+TEST_CASE("the tolerance is the one given, else that of the kind of mesh") {
+  SmoothOptions options;
+  CHECK(tolerance_of(options, 2) == 1e-10);
+  CHECK(tolerance_of(options, 3) == 1e-4);
+  CHECK(tolerance_of(independent_of_start(options), 3) == 1e-10);
+  for (const double given : {1e-12, 1e-4, 1e-2}) {
+    options.tolerance = given;
+    CHECK(tolerance_of(options, 2) == given);
+    CHECK(tolerance_of(options, 3) == given);
+    CHECK(independent_of_start(options).tolerance == given);
+  }
+}
+
+TEST_CASE("rows for a kind of mesh know its tolerance, as long as none is given") {
+  SmoothOptions options;
+  for (const auto& [kind, tolerance] :
+       {std::pair(MeshKind::plane, 1e-10), std::pair(MeshKind::surface, 1e-10),
+        std::pair(MeshKind::volume, 1e-4)}) {
+    const OptionTable table = option_table(options, kind);
+    const auto row = std::ranges::find_if(table, [](const Option& option) {
+      return option.key == "tolerance" && option.object.empty();
+    });
+    REQUIRE(row != table.end());
+    CHECK(std::get<OptionalRealOption>(row->value).instead == tolerance);
+    CHECK(value_text(*row) == "1e-10; volume meshes: 1e-4");
+    options.tolerance = 1e-6;
+    CHECK(value_text(*row) == "1e-06");
+    options.tolerance.reset();
+  }
+}
+
 namespace winslow::test {
 namespace {
 

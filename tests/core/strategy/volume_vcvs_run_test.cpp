@@ -48,6 +48,7 @@ SmoothCommand smooth_by(Formulation formulation, VcvKind vcv,
   command.smooth.targets = {.automatic = 0, .vcv = 1};
   command.smooth.outer = outer;
   command.smooth.vcv = vcv;
+  command.smooth.tolerance = 1e-10;
   return command;
 }
 

@@ -177,6 +177,11 @@ TEST_CASE("what does not apply is not shown, and the defaults come back at a pre
   CHECK(rig.visible("solver/linear_restart"));
   rig.fill("solver/tolerance", "1e-6");
   CHECK(rig.session().solver_settings().smooth_options().tolerance == 1e-6);
+  // The default, entered, is none of the user's: a recipe does not name it.
+  rig.fill("solver/tolerance", "1e-10");
+  CHECK_FALSE(rig.session().solver_settings().smooth_options().tolerance);
+  rig.fill("solver/tolerance", "1e-4");
+  CHECK(rig.session().solver_settings().smooth_options().tolerance == 1e-4);
   rig.click("solver/adapt_damping");
   CHECK_FALSE(rig.session().solver_settings().smooth_options().adapt_damping);
   rig.click("solver/defaults");
@@ -185,6 +190,24 @@ TEST_CASE("what does not apply is not shown, and the defaults come back at a pre
   CHECK(rig.session().solver_settings().smooth_options().tolerance == SmoothOptions{}.tolerance);
   CHECK(rig.session().solver_settings().smooth_options().adapt_damping);
   CHECK(rig.session().solver_settings().smooth_options().linear == LinearOptions{});
+}
+
+TEST_CASE("the solver's tolerance in effect is that of the open mesh, until one is entered") {
+  LookingRig rig({}, 1400, 1300);
+  const auto given = [&] { return rig.session().solver_settings().smooth_options().tolerance; };
+  rig.click("solver/advanced");
+  rig.frames();
+  rig.fill("solver/tolerance", "1e-10");
+  CHECK(given() == 1e-10);
+  rig.fill("solver/tolerance", "1e-4");  // the default of volume meshes
+  CHECK_FALSE(given());
+  rig.open(ring_mesh());
+  rig.frames();
+  rig.fill("solver/tolerance", "1e-4");
+  CHECK(given() == 1e-4);
+  rig.open(LookingRig::cavity());
+  rig.frames();
+  CHECK(given() == 1e-4);  // it was given, so it stays
 }
 
 /// The solver's panel of surface meshes.

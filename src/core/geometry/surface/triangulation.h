@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "core/mesh/coordinates.h"
 #include "core/search/box_tree.h"
 #include "core/types.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include "core/vcv/sphere/sphere_link.h"
 
 namespace winslow {

@@ -31,6 +31,8 @@ class VolumeVcvs {
   const std::shared_ptr<const Topology>& shared_topology() const { return topology_; }
   const VolumeVcvOptions& options() const { return options_; }
 
+  std::size_t bytes() const { return bytes_of(directions_, lengths_, ends_, rows_, targets_); }
+
   /// Recomputes the adjusted angles from the present mesh, but not the edge lengths. Stars whose
   /// wanted angles changed by more than the tolerance of a fit are solved again from their present
   /// directions; returns their number. VCVs that were set are kept. Throws UsageError unless the

@@ -62,8 +62,14 @@ class Field {
 
   bool operator()(const RealOption& real) const { return real_number(*real.value); }
 
+  /// Where none is set, the number that holds instead can be edited. Entering it again unsets it.
   bool operator()(const OptionalRealOption& real) const {
-    return *real.value && real_number(**real.value);
+    const std::optional<double> shown = *real.value ? *real.value : real.instead;
+    if (!shown) return false;
+    double edited = *shown;
+    if (!real_number(edited)) return false;
+    *real.value = edited == real.instead ? std::nullopt : std::optional(edited);
+    return true;
   }
 
   bool operator()(const IntegerOption& integer) const { return number(id_, *integer.value, tip_); }
@@ -356,12 +362,9 @@ bool method_choice(const std::string& prefix, SmoothOptions& smooth, MotionOptio
 }
 
 bool smooth_options_form(const std::string& prefix, SmoothOptions& options, MeshKind kind) {
-  const auto table = [&] {
-    return kind == MeshKind::surface ? surface_option_table(options) : option_table(options);
-  };
-  if (!option_form(prefix, table())) return false;
+  if (!option_form(prefix, option_table(options, kind))) return false;
   // The new value may be incompatible with other options; a new table resolves this.
-  settle(table());
+  settle(option_table(options, kind));
   return true;
 }
 

@@ -1,7 +1,5 @@
 #include "gui/shell/workbench/panel_list.h"
 
-#include <stdexcept>
-
 #include "gui/panels/panels.h"
 #include "gui/widgets/controls.h"
 
