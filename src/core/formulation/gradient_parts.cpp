@@ -150,13 +150,13 @@ double GradientParts::gradient(const distortion::SimplexKernel<3>& kernel,
   return std::accumulate(energies.begin(), energies.end(), 0.0);
 }
 
-void GradientParts::residuals(const distortion::SimplexKernel<3>& kernel,
-                              const distortion::SimplexData& data, int threads,
-                              std::span<double> out) const {
-  constexpr std::size_t stride = distortion::SimplexLayout<3>::residual;
-  sum<residual_numbers, stride>(
+void GradientParts::scales(const distortion::SimplexKernel<3>& kernel,
+                           const distortion::SimplexData& data, int threads,
+                           std::span<double> out) const {
+  constexpr std::size_t numbers = distortion::SimplexLayout<3>::scale;
+  sum<numbers, numbers>(
       data.x, threads, out, [&](std::size_t, const Part& part, const double* x, double* sums) {
-        kernel.add_residuals(data, x, part.corners.data(), part.first_cell, part.end_cell, sums);
+        kernel.add_scales(data, x, part.corners.data(), part.first_cell, part.end_cell, sums);
       });
 }
 

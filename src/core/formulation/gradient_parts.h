@@ -29,12 +29,10 @@ class GradientParts {
   /// undefined if it is infinite.
   double gradient(const distortion::SimplexKernel<3>& kernel, const distortion::SimplexData& data,
                   int threads, std::span<double> out) const;
-  /// Numbers a row in residuals().
-  static constexpr std::size_t residual_numbers = 5;
-  /// out: receives five numbers a row, the derivatives of the energy, the lengths of the edges in
-  /// all its cells, and the trace of its diagonal block. Inverted cells count as well.
-  void residuals(const distortion::SimplexKernel<3>& kernel, const distortion::SimplexData& data,
-                 int threads, std::span<double> out) const;
+  /// out: receives two numbers a row, the lengths of the edges in all its cells and the trace of
+  /// its diagonal block. Inverted cells count as well.
+  void scales(const distortion::SimplexKernel<3>& kernel, const distortion::SimplexData& data,
+              int threads, std::span<double> out) const;
   /// The scalar operator of FirstOrderForm::laplacian(), in the order of the rows: the sum over the
   /// cells (SimplexKernel::sum_scalars), with nodes without rows held.
   void laplacian(const distortion::SimplexKernel<3>& kernel, const distortion::SimplexData& data,

@@ -170,7 +170,7 @@ struct SimplexStructure {
   FollowerRows<D> followers;
   PeriodicRows<D> periodic;
   SlidingRows<D> sliding;
-  /// Made when first needed; in the plane there are none.
+  /// Made when a first-order method first needs them; in the plane there are none.
   struct Parts {
     std::once_flag once;
     std::shared_ptr<const GradientParts> made;

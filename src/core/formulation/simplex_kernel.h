@@ -45,7 +45,8 @@ struct SimplexData {
 /// D by D block (row-major) in the earlier node's row at the later node. From `corners` on, each
 /// node has `corner` numbers: in the plane the gradient and the length of the edges there; in space
 /// the same as a row. A row's sum over its cells: the diagonal block, and from `gradient` on the
-/// gradient and the length.
+/// gradient and the length. Without a Hessian, a cell has slim_sum numbers: for each node the
+/// gradient and the length, and from slim_traces on the traces of the nodes' diagonal blocks.
 template <int D>
 struct SimplexLayout;
 
@@ -60,7 +61,8 @@ template <>
 struct SimplexLayout<3> {
   static constexpr std::ptrdiff_t term = 8;  ///< metric 11, 12, 13, 22, 23, 33, weight, unused
   static constexpr std::ptrdiff_t corners = 56, corner = 16, sum = 120;
-  static constexpr std::ptrdiff_t scalar_sum = 6, residual = 8;
+  static constexpr std::ptrdiff_t slim_corner = 4, slim_traces = 16, slim_sum = 20;
+  static constexpr std::ptrdiff_t scalar_sum = 6, scale = 2;
   static constexpr std::ptrdiff_t gradient = 12, row = 16;
 };
 
@@ -85,20 +87,23 @@ struct SimplexKernel {
   /// where one triangle is projected at a time (distortion.h).
   double (*sum_projected)(const SimplexData&, const Index* list, Index count, Index first_counted,
                           double* sums);
+  /// Only gradients and traces, slim_sum numbers for each cell; null in the plane.
+  double (*sum_gradients)(const SimplexData&, const Index* list, Index count, double* sums);
   /// Adds sums to row sums, and to blocks of the matrix unless `blocks` is null.
   void (*scatter)(const double* sums, const SimplexPlaces<D>*, Index count, double* rows,
                   double* blocks);
+  /// Adds sums without a Hessian to row sums, the trace to the first number. Null in the plane.
+  void (*scatter_gradients)(const double* sums, const SimplexPlaces<D>*, Index count, double* rows);
   /// For first-order methods, of the cells [begin, end): returns their energy, infinite if a
   /// determinant is not positive, and adds the gradients to `sums`, unless it is infinite. x, sums:
   /// four numbers a point, of which three are used. corners: of the cells from `begin` on, four
   /// points each. Without a regularisation. Null in the plane.
   double (*add_gradients)(const SimplexData&, const double* x, const Index* corners, Index begin,
                           Index end, double* sums);
-  /// Likewise adds what residuals and their scales need, `residual` numbers a point, of which five
-  /// are used: the gradient, the lengths of the edges, and the trace of the diagonal block. Of
-  /// inverted cells as well. Null in the plane.
-  void (*add_residuals)(const SimplexData&, const double* x, const Index* corners, Index begin,
-                        Index end, double* sums);
+  /// Likewise adds what the scales of residuals need, `scale` numbers a point: the lengths of the
+  /// edges and the trace of the diagonal block. Of inverted cells as well. Null in the plane.
+  void (*add_scales)(const SimplexData&, const double* x, const Index* corners, Index begin,
+                     Index end, double* sums);
   /// A scalar that resembles the Hessian in each component, positive semidefinite: over the edges k
   /// and l of a cell, summed over its terms,
   ///

@@ -149,8 +149,8 @@ void SimplexWinslow<D>::for_each_block(Visit&& visit) const {
   });
 }
 
-/// Computes the sums of a block's rows and, if with_matrix, its part of the Hessian. Returns the
-/// energy of the cells that are in no earlier block.
+/// Computes the sums of a block's rows and, if with_matrix, its part of the Hessian. With the
+/// matrix, returns the energy of the cells that are in no earlier block.
 template <int D>
 double SimplexWinslow<D>::sum_block(const SimplexData& data, bool is_projected, bool with_matrix,
                                     Index block, BlockMemory& memory) const {
@@ -164,6 +164,12 @@ double SimplexWinslow<D>::sum_block(const SimplexData& data, bool is_projected, 
   for (std::size_t first = 0; first < cells.size(); first += BlockMemory::chunk) {
     const auto part = cells.subspan(first, std::min(BlockMemory::chunk, cells.size() - first));
     const auto count = static_cast<Index>(part.size());
+    if (!with_matrix && kernel.sum_gradients) {
+      kernel.sum_gradients(data, part.data(), count, memory.sums.data());
+      kernel.scatter_gradients(memory.sums.data(), places.data() + first, count,
+                               memory.rows.data());
+      continue;
+    }
     const auto sum = is_projected && kernel.sum_projected ? kernel.sum_projected : kernel.sum;
     energy += sum(data, part.data(), count, rows.first_new_cell(block), memory.sums.data());
     if constexpr (D == 2) {
@@ -203,33 +209,6 @@ std::shared_ptr<const EnergyProblem> SimplexWinslow<D>::holding_stuck_nodes(
   return this->holding(std::move(stuck));
 }
 
-namespace {
-
-/// A row of GradientParts::residuals() in the layout of row sums, with the whole trace in one
-/// number.
-class RowNumbers {
- public:
-  explicit RowNumbers(const double* from) {
-    std::copy_n(from, 4, v_.begin() + Layout<3>::gradient);
-    v_[0] = from[4];
-  }
-  RowSum<3> sum() const { return {v_.data()}; }
-
- private:
-  std::array<double, Layout<3>::row> v_{};
-};
-
-const GradientParts& parts_of(const SimplexStructure<3>& structure,
-                              const std::vector<std::array<Index, 4>>& cells) {
-  std::call_once(structure.parts.once, [&] {
-    structure.parts.made =
-        std::make_shared<const GradientParts>(structure.rows, cells, structure.row_of_node);
-  });
-  return *structure.parts.made;
-}
-
-}  // namespace
-
 template <int D>
 ResidualNorms SimplexWinslow<D>::residual(const Coordinates& x, std::span<double> out) const {
   const SimplexData cells = data(x, nullptr);
@@ -237,29 +216,16 @@ ResidualNorms SimplexWinslow<D>::residual(const Coordinates& x, std::span<double
   std::vector<NormSum> norms(block_count(rows.rows()));
   RowReduction<D> reduction(*structure_, this->node_unknowns(), x, this->stuck());
   const std::span<double> full = reduction.all_rows(out);
-  const auto add_row = [&](std::size_t row, const RowSum<D>& sum, NormSum& of_part) {
-    reduction.add_norm(row, sum, of_part);
-    if (full.empty()) return;
-    for (std::size_t k = 0; k < D; ++k) full[D * row + k] = -sum.gradient()[k];
-  };
-  if constexpr (D == 3) {
-    std::vector<double> sums(GradientParts::residual_numbers * at(rows.rows()));
-    parts_of(*structure_, this->shapes().cells)
-        .residuals(this->kernel(), cells, this->threads(), sums);
-    parallel_for(this->threads(), rows.rows(), [&](Index begin, Index end) {
-      for (Index p = begin; p < end; ++p) {
-        const RowNumbers own(&sums[GradientParts::residual_numbers * at(p)]);
-        add_row(at(rows.row(p)), own.sum(), norms[at(begin / parallel_block)]);
-      }
-    });
-  } else {
-    for_each_block(
-        [&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
-          sum_block(cells, false, false, block, memory);
-          for (Index p = first; p < last; ++p)
-            add_row(at(rows.row(p)), memory.row(p - first), norms[part]);
-        });
-  }
+  for_each_block([&](std::size_t part, Index block, Index first, Index last, BlockMemory& memory) {
+    sum_block(cells, false, false, block, memory);
+    for (Index p = first; p < last; ++p) {
+      const RowSum<D> sum = memory.row(p - first);
+      const std::size_t row = at(rows.row(p));
+      reduction.add_norm(row, sum, norms[part]);
+      if (full.empty()) continue;
+      for (std::size_t k = 0; k < D; ++k) full[D * row + k] = -sum.gradient()[k];
+    }
+  });
   reduction.reduce(full, out, &norms);
   return NormSum::total(norms);
 }
@@ -376,17 +342,14 @@ class VolumeFirstOrder final : public FirstOrderForm {
     return energy;
   }
   void scales(const Coordinates& x, std::span<double> out) const override {
-    constexpr std::size_t numbers = GradientParts::residual_numbers;
     const auto& structure = *form_.structure_;
-    std::vector<double> sums(numbers * out.size());
-    parts_.residuals(form_.kernel(), form_.data(x, nullptr), form_.threads(), sums);
-    parallel_for(form_.threads(), rows(), [&](Index begin, Index end) {
-      for (Index p = begin; p < end; ++p) {
-        const RowNumbers own(&sums[numbers * at(p)]);
-        const Index count = structure.cells_at_row[at(structure.rows.row(p))];
-        out[at(p)] = 1 / own.sum().scale_of(count).scaled(1);
-      }
-    });
+    std::vector<double> sums(2 * out.size());
+    parts_.scales(form_.kernel(), form_.data(x, nullptr), form_.threads(), sums);
+    for (Index p = 0; p < rows(); ++p) {
+      const double* own = &sums[2 * at(p)];
+      const Index count = structure.cells_at_row[at(structure.rows.row(p))];
+      out[at(p)] = 1 / RowSum<3>::Scale{own[1], own[0], count}.scaled(1);
+    }
   }
   void positions(const Coordinates& x, std::span<double> out) const override {
     const SpacePoints points(x);
@@ -436,8 +399,12 @@ template <int D>
 std::shared_ptr<const FirstOrderForm> SimplexWinslow<D>::first_order() const {
   if constexpr (D == 3) {
     if (structure_->joins()) return nullptr;
-    return std::make_shared<const VolumeFirstOrder>(*this,
-                                                    parts_of(*structure_, this->shapes().cells));
+    auto& parts = structure_->parts;
+    std::call_once(parts.once, [&] {
+      parts.made = std::make_shared<const GradientParts>(structure_->rows, this->shapes().cells,
+                                                         structure_->row_of_node);
+    });
+    return std::make_shared<const VolumeFirstOrder>(*this, *parts.made);
   } else {
     return nullptr;
   }

@@ -164,7 +164,9 @@ void EnergyDescent::rest() {
   memory_.release();
   laplacian_.values = {};
   trial_ = {};
-  for (auto* v : {&gradient_, &preconditioned_, &direction_, &places_, &scales_, &rates_}) *v = {};
+  for (auto* v : {&gradient_, &preconditioned_, &direction_, &places_, &way_,
+                  &preconditioned_before_, &scales_, &rates_})
+    *v = {};
 }
 
 /// The largest scaled residual, with the scales of the mesh where these were found.

@@ -97,9 +97,9 @@ class EnergyDescent final : public OuterSolver {
   void count(MemoryUse& use) const override {
     use.matrix += bytes_of(laplacian_.values);
     use.preconditioner += preconditioner_->bytes();
-    use.vectors +=
-        memory_.bytes() + trial_.x.bytes() +
-        bytes_of(gradient_, preconditioned_, direction_, places_, rates_, scales_, trial_.gradient);
+    use.vectors += memory_.bytes() + trial_.x.bytes() +
+                   bytes_of(gradient_, preconditioned_, direction_, places_, way_,
+                            preconditioned_before_, rates_, scales_, trial_.gradient);
   }
   /// The method, for reports: "L-BFGS, smoothed aggregation multigrid (4 levels)".
   std::string description() const { return "L-BFGS, " + preconditioner_->description(); }
