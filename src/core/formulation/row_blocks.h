@@ -53,10 +53,7 @@ std::shared_ptr<SparsityPattern> pattern_of_cells(const std::vector<std::array<I
         for (const Index node : cells[at(corner) / N]) add(row_of_node[at(node)]);
     };
   };
-  // Few blocks, since the list of seen rows of each is as large as the pattern.
-  constexpr Index most_blocks = 16;
-  const Index block = std::max(parallel_block, corners.rows() / most_blocks + 1);
-  return build_pattern(corners.rows(), block, threads, begin_block);
+  return build_pattern(corners.rows(), few_blocks(corners.rows()), threads, begin_block);
 }
 
 /// The free nodes (rows) in spatially compact blocks, with the cells (triangles in the plane,

@@ -175,13 +175,12 @@ class Field {
   /// large as the mesh: therefore uses few blocks of elements.
   template <class Visit>
   void for_each_neighbourhood(Visit&& visit) const {
-    constexpr Index most_blocks = 16;
     const auto run = [&](Index begin, Index end) {
       Neighbourhood near(around_, stretch_.size());
       for (Index place = begin; place < end; ++place) visit(place, near);
     };
     const Index n = topology_.element_count();
-    parallel_for(threads_, n, run, std::max(parallel_block, n / most_blocks + 1));
+    parallel_for(threads_, n, run, few_blocks(n));
   }
 
   /// The stretch of a volume element. That of a tetrahedron is found quickly unless it is near a

@@ -178,13 +178,6 @@ void check_surface_manifold(const MeshData& data, const FacePairs& pairs) {
 
 namespace {
 
-/// Size of a few large blocks of so many nodes, for loops whose blocks need memory as large as the
-/// mesh.
-Index few_blocks(Index nodes) {
-  constexpr Index most = 16;
-  return std::max(parallel_block, nodes / most + 1);
-}
-
 /// Neighbours of nodes along the edges of the elements around them, ascending. find() collects them
 /// block by block of the order; put() copies them into the rows when all lengths are known.
 class NeighbourRows {

@@ -38,6 +38,13 @@ inline std::size_t block_count(Index n, Index block = parallel_block) {
   return (at(n) + at(block) - 1) / at(block);
 }
 
+/// Size of a few large blocks that cover [0, n), for loops whose blocks each need memory as large
+/// as the mesh.
+inline Index few_blocks(Index n) {
+  constexpr Index most = 16;
+  return std::max(parallel_block, n / most + 1);
+}
+
 /// block: size of the blocks, smaller for an expensive body. If bodies throw, parallel_for()
 /// rethrows the exception of the lowest block after all threads have ended.
 template <typename Body>

@@ -29,18 +29,42 @@ double share_of_corner(ElementType type) {
 /// The gradients of the barycentric coordinates (rows), and the determinant of the edges.
 template <int D>
 struct Simplex {
-  std::array<Index, D + 1> nodes;
+  std::array<std::size_t, D + 1> corners;  // of the element
   Eigen::Matrix<double, D + 1, D> gradients;
   double size = 0;
 
-  Simplex(const std::array<Index, D + 1>& corners, const Coordinates& x) : nodes(corners) {
+  template <typename Corner>
+  Simplex(const std::array<Corner, D + 1>& of_element, std::span<const Index> nodes,
+          const Coordinates& x) {
+    for (std::size_t k = 0; k <= D; ++k) corners[k] = static_cast<std::size_t>(of_element[k]);
+    const auto place = [&](int k) { return x.get<D>(nodes[corners[at(k)]]); };
     Eigen::Matrix<double, D, D> edges;
-    for (int k = 0; k < D; ++k) edges.col(k) = x.get<D>(nodes[at(k + 1)]) - x.get<D>(nodes[0]);
+    for (int k = 0; k < D; ++k) edges.col(k) = place(k + 1) - place(0);
     size = edges.determinant();
     gradients.template bottomRows<D>() = edges.inverse();
     gradients.row(0) = -gradients.template bottomRows<D>().colwise().sum();
   }
 };
+
+/// The number of a pair of nodes of an element, i < j.
+std::size_t pair_of(std::size_t i, std::size_t j) { return j * (j - 1) / 2 + i; }
+
+/// Calls visit(simplex, volume) for the corner simplices of an element that are not inverted.
+template <int D, typename Visit>
+void visit_simplices(const Topology& topology, const Coordinates& x, Index e, const Visit& visit) {
+  const std::size_t n = topology.element(e).size();
+  const ElementType type = topology.element_type(e);
+  const auto visit_corner = [&](const auto& corners) {
+    const Simplex<D> simplex(corners, topology.element(e), x);
+    if (simplex.size > 0) visit(simplex, share_of_corner(type) * simplex.size);
+  };
+  if constexpr (D == 3) {
+    for (const auto& corner : corner_tetrahedra(type)) visit_corner(corner);
+  } else {
+    for (std::size_t k = 0; k < (n == 3 ? 1 : n); ++k)
+      visit_corner(std::array<std::size_t, 3>{k, (k + 1) % n, (k + n - 1) % n});
+  }
+}
 
 /// The nodes in parts of the mesh with at least one known node.
 std::vector<bool> connected_to(const Topology& topology, const std::vector<bool>& known) {
@@ -76,9 +100,7 @@ LaplaceEquation::LaplaceEquation(const Topology& topology, const Coordinates& x,
     nodes_.push_back(node);
   }
   const auto count = static_cast<Index>(nodes_.size());
-  constexpr Index most_blocks = 16;  // each has a list as long as the mesh
-  const Index block = std::max(parallel_block, count / most_blocks + 1);
-  matrix_.pattern = build_pattern(count, block, threads_, [&] {
+  matrix_.pattern = build_pattern(count, few_blocks(count), threads_, [&] {
     return [&, seen = std::vector<Index>(nodes_.size(), -1)](Index row,
                                                              std::vector<Index>& columns) mutable {
       for (const Index e : topology_.star(nodes_[at(row)]))
@@ -93,34 +115,42 @@ LaplaceEquation::LaplaceEquation(const Topology& topology, const Coordinates& x,
   matrix_.values.resize(matrix_.pattern->columns.size());
 }
 
-/// work(begin, end) for ranges of rows, on several threads.
+/// Calls work(begin, end) for ranges of rows, on several threads.
 template <typename Work>
 void LaplaceEquation::each_row(const Work& work) const {
-  constexpr Index most_blocks = 16;
   const auto count = static_cast<Index>(nodes_.size());
-  parallel_for(threads_, count, work, std::max(parallel_block, count / most_blocks + 1));
+  parallel_for(threads_, count, work, few_blocks(count));
 }
 
-/// visit(simplex, volume) for the corner simplices of an element that are not inverted.
-template <int D, typename Visit>
-void LaplaceEquation::visit_simplices(Index e, const Visit& visit) const {
-  const auto element = topology_.element(e);
-  const ElementType type = topology_.element_type(e);
-  const auto visit_corner = [&](const std::array<Index, D + 1>& corners) {
-    const Simplex<D> simplex(corners, x_);
-    if (simplex.size > 0) visit(simplex, share_of_corner(type) * simplex.size);
-  };
-  if constexpr (D == 3) {
-    for (const auto& corner : corner_tetrahedra(type)) visit_corner(by_nodes(corner, element));
-  } else {
-    const std::size_t n = element.size();
-    for (std::size_t k = 0; k < (n == 3 ? 1 : n); ++k)
-      visit_corner({element[k], element[(k + 1) % n], element[(k + n - 1) % n]});
-  }
-}
-
+/// The matrices of the elements for a conductivity of 1, and their volumes.
 template <int D>
-void LaplaceEquation::assemble_in(const std::vector<std::vector<double>>& fields) {
+void LaplaceEquation::make_elements() {
+  const Index count = topology_.element_count();
+  elements_.first_pair.assign(at(count) + 1, 0);
+  for (Index e = 0; e < count; ++e)
+    elements_.first_pair[at(e) + 1] =
+        elements_.first_pair[at(e)] + pair_of(0, topology_.element(e).size());
+  elements_.of_pair.assign(elements_.first_pair.back(), 0);
+  elements_.volume.assign(at(count), 0);
+  parallel_for(threads_, count, [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e) {
+      double* of_pair = &elements_.of_pair[elements_.first_pair[at(e)]];
+      visit_simplices<D>(topology_, x_, e, [&](const Simplex<D>& simplex, double volume) {
+        elements_.volume[at(e)] += volume;
+        for (int j = 0; j <= D; ++j) {
+          for (int i = 0; i <= D; ++i) {
+            const std::size_t a = simplex.corners[at(i)], b = simplex.corners[at(j)];
+            if (a < b)
+              of_pair[pair_of(a, b)] +=
+                  volume * simplex.gradients.row(i).dot(simplex.gradients.row(j));
+          }
+        }
+      });
+    }
+  });
+}
+
+void LaplaceEquation::assemble(const std::vector<std::vector<double>>& fields) {
   const SparsityPattern& pattern = *matrix_.pattern;
   right_hand_sides_.assign(fields.size(), std::vector<double>(nodes_.size(), 0.0));
   each_row([&](Index begin, Index end) {
@@ -130,25 +160,24 @@ void LaplaceEquation::assemble_in(const std::vector<std::vector<double>>& fields
         entry[at(pattern.columns[at(e)])] = e;
         matrix_.values[at(e)] = 0;
       }
-      const Index own_node = nodes_[at(row)];
-      for (const Index element : topology_.star(own_node)) {
+      double& diagonal = matrix_.values[at(pattern.diagonal[at(row)])];
+      for (const Index element : topology_.star(nodes_[at(row)])) {
         const double conductivity = conductivity_.empty() ? 1 : conductivity_[at(element)];
-        visit_simplices<D>(element, [&](const Simplex<D>& simplex, double volume) {
-          const auto found = std::ranges::find(simplex.nodes, own_node);
-          if (found == simplex.nodes.end()) return;
-          const auto own = static_cast<int>(found - simplex.nodes.begin());
-          for (int k = 0; k <= D; ++k) {
-            const double value =
-                conductivity * volume * simplex.gradients.row(own).dot(simplex.gradients.row(k));
-            const Index node = simplex.nodes[at(k)];
-            if (const Index column = numbers_[at(node)]; column >= 0) {
-              matrix_.values[at(entry[at(column)])] += value;
-              continue;
-            }
-            for (std::size_t f = 0; f < fields.size(); ++f)
-              right_hand_sides_[f][at(row)] -= value * fields[f][at(node)];
+        const double* of_pair = &elements_.of_pair[elements_.first_pair[at(element)]];
+        const auto corners = topology_.element(element);
+        const auto own =
+            static_cast<std::size_t>(std::ranges::find(corners, nodes_[at(row)]) - corners.begin());
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+          if (k == own) continue;
+          const double value = conductivity * of_pair[pair_of(std::min(k, own), std::max(k, own))];
+          diagonal -= value;
+          if (const Index column = numbers_[at(corners[k])]; column >= 0) {
+            matrix_.values[at(entry[at(column)])] += value;
+            continue;
           }
-        });
+          for (std::size_t f = 0; f < fields.size(); ++f)
+            right_hand_sides_[f][at(row)] -= value * fields[f][at(corners[k])];
+        }
       }
     }
   });
@@ -161,26 +190,23 @@ void LaplaceEquation::assemble_in(const std::vector<std::vector<double>>& fields
 }
 
 /// For the present values of the fields, averaged geometrically with the conductivity before.
-template <int D>
-void LaplaceEquation::update_conductivity_in(const std::vector<std::vector<double>>& fields,
-                                             double exponent) {
+void LaplaceEquation::update_conductivity(const std::vector<std::vector<double>>& fields,
+                                          double exponent) {
   constexpr double least = 1e-3;  // share of the largest gradient
   const Index count = topology_.element_count();
   std::vector<double> steepness(at(count));
   std::vector<double> largest(block_count(count), 0.0);
   parallel_for(threads_, count, [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
-      double sum = 0, total = 0;
-      visit_simplices<D>(e, [&](const Simplex<D>& simplex, double volume) {
-        total += volume;
-        for (const auto& field : fields) {
-          Eigen::Matrix<double, 1, D> gradient = Eigen::Matrix<double, 1, D>::Zero();
-          for (int k = 0; k <= D; ++k)
-            gradient += field[at(simplex.nodes[at(k)])] * simplex.gradients.row(k);
-          sum += volume * gradient.squaredNorm();
-        }
-      });
-      steepness[at(e)] = total > 0 ? std::sqrt(sum / total) : 0;
+      const auto corners = topology_.element(e);
+      double sum = 0;  // of the squared gradients over the volume
+      for (const auto& field : fields) {
+        const double* of_pair = &elements_.of_pair[elements_.first_pair[at(e)]];
+        for (std::size_t j = 1; j < corners.size(); ++j)
+          for (std::size_t i = 0; i < j; ++i)
+            sum -= *of_pair++ * std::pow(field[at(corners[i])] - field[at(corners[j])], 2);
+      }
+      steepness[at(e)] = sum > 0 ? std::sqrt(sum / elements_.volume[at(e)]) : 0;
       largest[at(begin / parallel_block)] =
           std::max(largest[at(begin / parallel_block)], steepness[at(e)]);
     }
@@ -195,10 +221,6 @@ void LaplaceEquation::update_conductivity_in(const std::vector<std::vector<doubl
       conductivity_[e] = first ? now : std::sqrt(conductivity_[e] * now);
     }
   });
-}
-
-void LaplaceEquation::assemble(const std::vector<std::vector<double>>& fields) {
-  topology_.cell_dimension() == 3 ? assemble_in<3>(fields) : assemble_in<2>(fields);
 }
 
 void LaplaceEquation::solve_assembled(double accuracy, std::vector<std::vector<double>>& fields) {
@@ -220,13 +242,14 @@ void LaplaceEquation::solve(const Options& options, std::vector<std::vector<doub
   for (auto& field : fields)
     for (const Index node : apart_) field[at(node)] = 0;
   if (nodes_.empty()) return;
+  topology_.cell_dimension() == 3 ? make_elements<3>() : make_elements<2>();
   assemble(fields);
   for (int i = 0; i < updates && options.exponent > 2; ++i) {
     solve_assembled(std::max(loose, options.accuracy), fields);
-    topology_.cell_dimension() == 3 ? update_conductivity_in<3>(fields, options.exponent)
-                                    : update_conductivity_in<2>(fields, options.exponent);
+    update_conductivity(fields, options.exponent);
     assemble(fields);
   }
+  elements_ = {};
   solve_assembled(options.accuracy, fields);
 }
 

@@ -36,12 +36,9 @@ class LaplaceEquation {
  private:
   template <typename Work>
   void each_row(const Work& work) const;
-  template <int D, typename Visit>
-  void visit_simplices(Index e, const Visit& visit) const;
   template <int D>
-  void assemble_in(const std::vector<std::vector<double>>& fields);
-  template <int D>
-  void update_conductivity_in(const std::vector<std::vector<double>>& fields, double exponent);
+  void make_elements();
+  void update_conductivity(const std::vector<std::vector<double>>& fields, double exponent);
   void assemble(const std::vector<std::vector<double>>& fields);
   void solve_assembled(double accuracy, std::vector<std::vector<double>>& fields);
 
@@ -52,6 +49,12 @@ class LaplaceEquation {
   std::vector<Index> nodes_;          // that have unknowns
   std::vector<Index> apart_;          // in parts of the mesh without a known value
   std::vector<double> conductivity_;  // #elements; empty: 1
+  struct Elements {
+    std::vector<std::size_t> first_pair;  // #elements + 1
+    std::vector<double> of_pair;          // entries of their matrices, for a conductivity of 1
+    std::vector<double> volume;           // #elements
+  };
+  Elements elements_;  // during solve()
   SparseMatrix matrix_;
   std::vector<std::vector<double>> right_hand_sides_;  // of each field
   std::unique_ptr<LinearSolver> solver_;

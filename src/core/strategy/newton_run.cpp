@@ -8,8 +8,6 @@ namespace winslow {
 
 namespace {
 
-constexpr int relaxation_limit = 40;  // iterations
-
 /// Whether an outer iteration had its step cut very short.
 bool creeps(const IterationRecord& record) {
   constexpr double short_step = 0.1;
@@ -238,13 +236,17 @@ std::optional<IterationRecord> NewtonRun::correct(Coordinates& x) {
   return record;
 }
 
+namespace {
+
 /// Whether many elements are stretched, as in layers.
-static bool is_layered(const Mesh& mesh) {
+bool is_layered(const Mesh& mesh) {
   constexpr double stretched = 10, many = 0.05;
   const auto conditions = element_values(mesh, Metric::condition_number);
   const auto count = std::ranges::count_if(conditions, [](double c) { return !(c < stretched); });
   return static_cast<double>(count) > many * static_cast<double>(conditions.size());
 }
+
+}  // namespace
 
 /// Carries a whole volume mesh along with rigid bodies, by as much at once as leaves it valid, and
 /// smooths it a little by first-order steps before the next part. These mend a sheared mesh, which
@@ -398,254 +400,6 @@ void NewtonRun::move_in_steps(const Motion& motion, const Coordinates& rest, int
   }
   recorder_.interior_is_behind();
   converge(x, 1);
-}
-
-/// Whether first-order steps come before Newton's method.
-bool VariationalRun::descends() {
-  // Unknowns. Smaller meshes take a tenth of a second either way, and the factors of direct solvers
-  // are exact. Measured in docs/performance.md, also on stretched meshes.
-  constexpr std::size_t worthwhile = 6'000;
-  const SmoothOptions& options = workspace().options();
-  if (options.outer == OuterMethod::newton) return false;
-  if (options.outer != OuterMethod::descent &&
-      (options.linear.solver != "automatic" || energy().unknowns() < worthwhile))
-    return false;
-  if (energy().first_order()) return true;
-  if (options.outer != OuterMethod::descent) return false;
-  throw UsageError(
-      "the outer method descent is for volume meshes without periodic sides and without rows of "
-      "nodes that keep their spacing: choose auto or newton");
-}
-
-/// With the penalty that was asked for, so that the solution is one: no knee is raised.
-bool VariationalRun::descend(Coordinates& x, double fraction, int limit,
-                             const RunRecorder::Enough& enough) {
-  if (on_path_ || !descends()) return false;
-  if (!(energy().penalty() == asked_for())) change_penalty(asked_for());
-  if (descent_) {
-    descent_->set_problem(energy_);
-  } else {
-    descent_ = std::make_unique<EnergyDescent>(
-        energy_, DescentOptions{workspace().tolerance(), workspace().options().threads});
-  }
-  const IterationRecord last =
-      recorder().iterate(*descent_, x, Stage::descent, fraction, limit, enough);
-  recorder().result().linear_solver = descent_->description();
-  if (!recorder().result().converged) descent_->rest();  // Newton's method needs much memory
-  return near_enough(last) && !(last.inverted > 0);
-}
-
-void VariationalRun::relax(Coordinates& x, double fraction, const RunRecorder::Enough& enough) {
-  const double far = energy().has_guards() ? 3 : 1.5;  // knees
-  if (asked_for().exponent <= 2 || on_path_) return;
-  const bool is_as_asked = energy().penalty() == asked_for();
-  if (is_as_asked && strain(x) < far) return;
-  change_penalty(gentle());
-  recorder().iterate(newton(), x, Stage::relax, fraction, relaxation_limit, enough);
-  change_penalty(fitting(x));
-  if (energy().has_guards()) lower_limits(x, fraction, enough);
-}
-
-/// Lowers raised limits of guards step by step to those asked for: unlike a raised knee, they are
-/// never left raised, because the solution must not depend on the path to it.
-void VariationalRun::lower_limits(Coordinates& x, double fraction,
-                                  const RunRecorder::Enough& enough) {
-  constexpr double step = 1.4;
-  PenaltyOptions penalty = energy().penalty();
-  while (penalty.raise > asked_for().raise) {
-    recorder().iterate(newton(), x, Stage::relax, fraction, relaxation_limit, enough);
-    penalty.raise = std::max(asked_for().raise, std::min(penalty.raise, strain(x)) / step);
-    change_penalty(penalty);
-  }
-}
-
-PenaltyOptions VariationalRun::gentle() {
-  if (!energy().has_guards()) return {2, 0};
-  // Without any guard, cells of a long path degenerate too far to be mended at its end.
-  constexpr double share = 0.1;
-  PenaltyOptions penalty = asked_for();
-  penalty.guard *= share;
-  return penalty;
-}
-
-void VariationalRun::begin_path() {
-  if (!energy().has_guards()) return;
-  on_path_ = true;
-  change_penalty(gentle());
-}
-
-const VariationalForm& VariationalRun::energy() {
-  if (!energy_) energy_ = workspace().energy();
-  return *energy_;
-}
-
-void VariationalRun::begin_anew() {
-  energy_.reset();  // its targets may have changed
-  change_penalty(asked_for());
-}
-
-void VariationalRun::vary_targets(const Coordinates& from) {
-  target_path_ = workspace().energy()->target_path(from);
-}
-
-void VariationalRun::set_target_share(double share) {
-  const PenaltyOptions penalty = energy().penalty();
-  energy_ = target_path_->at_share(share)->with_penalty(penalty);
-  workspace().newton().set_problem(energy_);
-}
-
-void VariationalRun::change_penalty(const PenaltyOptions& penalty) {
-  energy_ = energy().with_penalty(penalty);
-  workspace().newton().set_problem(energy_);
-}
-
-PenaltyOptions VariationalRun::fitting(const Coordinates& x) {
-  const double beyond = energy().has_guards() ? 4 : 2;  // knees
-  PenaltyOptions penalty = asked_for();
-  if (penalty.knee > 0) {
-    const double worst = strain(x);
-    while (worst > beyond * penalty.raise && std::isfinite(worst)) penalty.raise *= 2;
-  }
-  return penalty;
-}
-
-bool VariationalRun::sharpen(const Coordinates& x) {
-  if (energy().penalty().raise == 1) return false;
-  const PenaltyOptions penalty = fitting(x);
-  if (penalty.raise >= energy().penalty().raise) return false;
-  change_penalty(penalty);
-  return true;
-}
-
-double VariationalRun::strain(const Coordinates& x) {
-  constexpr double without = 2;  // distortion from which a pure power is steep
-  return energy().strain(x, asked_for().knee > 0 ? asked_for().knee : without);
-}
-
-bool VariationalRun::strained(const Coordinates& x) {
-  constexpr double beyond = 3;  // knees
-  return !on_path_ && asked_for().knee > 0 && strain(x) > beyond * energy().penalty().raise;
-}
-
-namespace {
-
-/// A tangled mesh that hardly changes any more will not be untangled.
-bool hopeless(const IterationRecord& record) {
-  constexpr double settled = 1e-4;
-  return record.inverted > 0 && record.residual < settled;
-}
-
-class FixedPointMotion {
- public:
-  FixedPointMotion(const Coordinates& rest, const Motion& motion, int max_iterations,
-                   OuterSolver& solver, RunRecorder& recorder)
-      : rest_(rest),
-        motion_(motion),
-        max_iterations_(max_iterations),
-        solver_(solver),
-        recorder_(recorder) {}
-
-  /// All steps except the last are smoothed loosely: they only move the interior along. give_up:
-  /// stop at the first step whose mesh stays tangled, and return false.
-  bool move_in_steps(int increments, bool give_up, Coordinates& x) {
-    constexpr double loose = 1e-3;
-    constexpr int step_limit = 40;
-    recorder_.result().increments = increments;
-    for (int k = 1; k < increments; ++k) {
-      const double fraction = static_cast<double>(k) / increments;
-      motion_.apply(rest_, fraction, x);
-      recorder_.iterate(solver_, x, Stage::picard, fraction, std::min(step_limit, max_iterations_),
-                        [](const IterationRecord& record) {
-                          return record.inverted == 0 && record.residual < loose;
-                        });
-      if (give_up && recorder_.result().inverted > 0) return false;
-    }
-    motion_.apply(rest_, 1, x);
-    recorder_.interior_is_behind();
-    recorder_.iterate(solver_, x, Stage::picard, 1, max_iterations_,
-                      give_up ? RunRecorder::Enough(hopeless) : RunRecorder::Enough());
-    return recorder_.result().inverted == 0;
-  }
-
-  void move_automatically(Coordinates& x) {
-    if (move_in_steps(1, true, x)) return;
-    const Coordinates direct_x = x;
-    const RunOutcome direct = recorder_.result();
-    constexpr std::array<int, 2> attempts{8, 32};
-    for (const int increments : attempts) {
-      x = rest_;
-      if (move_in_steps(increments, true, x)) return;
-    }
-    x = direct_x;
-    recorder_.restore_outcome(direct);
-  }
-
- private:
-  const Coordinates& rest_;
-  const Motion& motion_;
-  int max_iterations_;
-  OuterSolver& solver_;
-  RunRecorder& recorder_;
-};
-
-}  // namespace
-
-void move_by_fixed_point(const Coordinates& rest, const Motion& motion, int increments,
-                         int max_iterations, OuterSolver& solver, RunRecorder& recorder,
-                         Coordinates& x) {
-  FixedPointMotion run(rest, motion, max_iterations, solver, recorder);
-  if (increments > 0) {
-    run.move_in_steps(increments, false, x);
-  } else {
-    run.move_automatically(x);
-  }
-}
-
-namespace {
-
-bool complete(const SmoothResult& result) {
-  return result.converged && result.inverted == 0 && result.fraction_reached >= 1;
-}
-
-}  // namespace
-
-void PointwiseRun::attempt(const Way& by_newton, const Way& by_fixed_point, Coordinates& x) {
-  const Coordinates start = x;
-  by_newton(x);
-  const SmoothResult& result = recorder().result();
-  // If a limit ended the path, the fixed point would exceed the limit, since it follows no path.
-  if (complete(result) || !result.limited_by.empty() ||
-      workspace().options().outer == OuterMethod::newton || recorder().remaining() <= 0) {
-    return;
-  }
-  const RunOutcome newtons = result;
-  Coordinates newtons_x = std::move(x);
-  x = start;
-  recorder().lift_budget();
-  by_fixed_point(x);
-  recorder().result().linear_solver = workspace().linear().description();
-  if (result.inverted == 0 || newtons.inverted > 0) return;
-  x = std::move(newtons_x);
-  recorder().restore_outcome(newtons);
-}
-
-void PointwiseRun::smooth(Coordinates& x, double fraction, const Coordinates* reference) {
-  attempt([&](Coordinates& y) { NewtonRun::smooth(y, fraction, reference); },
-          [&](Coordinates& y) {
-            recorder().iterate(workspace().picard(), y, Stage::picard, fraction,
-                               workspace().options().max_iterations);
-          },
-          x);
-}
-
-void PointwiseRun::move(const Motion& motion, const Coordinates& rest, int increments,
-                        Coordinates& x) {
-  attempt([&](Coordinates& y) { NewtonRun::move(motion, rest, increments, y); },
-          [&](Coordinates& y) {
-            move_by_fixed_point(rest, motion, increments, workspace().options().max_iterations,
-                                workspace().picard(), recorder(), y);
-          },
-          x);
 }
 
 }  // namespace winslow

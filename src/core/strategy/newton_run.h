@@ -1,8 +1,6 @@
 #pragma once
 
-#include "core/formulation/target_path.h"
 #include "core/motion/motion.h"
-#include "core/outer/energy_descent.h"
 #include "core/outer/outer_solver.h"
 #include "core/outer/path_follower.h"
 #include "core/strategy/mesh_state.h"
@@ -120,87 +118,6 @@ class NewtonRun {
   RunRecorder& recorder_;
   QualityFloor floor_;
   bool end_at_contact_ = false, way_is_clear_ = false, may_carry_ = true;
-};
-
-/// Smooths by the variational form.
-class VariationalRun final : public NewtonRun {
- public:
-  /// The workspace is prepared. The references outlive the run.
-  VariationalRun(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder)
-      : NewtonRun(state, workspace, recorder) {}
-
- private:
-  SteadySolver& newton() override { return workspace().newton(); }
-  const LinearSolver& linear() override { return workspace().symmetric_linear(); }
-  void begin_anew() override;
-  /// Far from a solution the steep penalty slows Newton's method down, so a gentle one comes first.
-  /// If its mesh still has elements far beyond the knee, the knee is doubled until none is.
-  void relax(Coordinates& x, double fraction, const RunRecorder::Enough& enough) override;
-  bool descends() override;
-  bool descend(Coordinates& x, double fraction, int limit,
-               const RunRecorder::Enough& enough) override;
-  bool has_targets() const override { return true; }
-  void vary_targets(const Coordinates& from) override;
-  void set_target_share(double share) override;
-  /// The knee was doubled for a mesh that was no solution yet: a solution may permit less.
-  bool sharpen(const Coordinates& x) override;
-  bool strained(const Coordinates& x) override;
-  /// Guards come into effect at the end of a path.
-  void begin_path() override;
-  void leave_path() override { on_path_ = false; }
-  bool on_path() const override { return on_path_; }
-
-  const PenaltyOptions& asked_for() { return workspace().options().penalty; }
-  /// Largest distortion in knees: VariationalForm::strain().
-  double strain(const Coordinates& x);
-  /// The requested penalty, with the knee raised so that no element is far beyond it.
-  PenaltyOptions fitting(const Coordinates& x);
-  /// The penalty far from a solution, and on a path.
-  PenaltyOptions gentle();
-  void lower_limits(Coordinates& x, double fraction, const RunRecorder::Enough& enough);
-  /// Switches Newton's method to the energy with this penalty.
-  void change_penalty(const PenaltyOptions& penalty);
-
-  const VariationalForm& energy();
-
-  std::shared_ptr<const VariationalForm> energy_;  // minimised by newton(); null: not made yet
-  std::unique_ptr<const TargetPath> target_path_;
-  std::unique_ptr<EnergyDescent> descent_;
-  bool on_path_ = false;
-};
-
-/// Moves the boundary of x and smooths by the paper's outer iteration. increments: number of
-/// boundary steps; 0: one step and, if the result is tangled, more and more steps. If none gives a
-/// valid mesh, the result is that of the single step, converged or not. rest: the mesh to which the
-/// motion refers.
-void move_by_fixed_point(const Coordinates& rest, const Motion& motion, int increments,
-                         int max_iterations, OuterSolver& solver, RunRecorder& recorder,
-                         Coordinates& x);
-
-/// Smooths by the paper's operator and Newton's method.
-///
-/// OuterMethod::automatic: if Newton's method does not converge or does not complete the motion,
-/// the paper's damped fixed point repeats everything from the start. (The operator's own solution
-/// may be tangled, especially on quadrilaterals.) The result is the mesh of the fixed point, unless
-/// that is tangled and Newton's is not.
-class PointwiseRun final : public NewtonRun {
- public:
-  /// The workspace is prepared. The references outlive the run.
-  PointwiseRun(const MeshState& state, SmoothingWorkspace& workspace, RunRecorder& recorder)
-      : NewtonRun(state, workspace, recorder) {}
-
-  void smooth(Coordinates& x, double fraction, const Coordinates* reference) override;
-  void move(const Motion& motion, const Coordinates& rest, int increments, Coordinates& x) override;
-
- private:
-  using Way = std::function<void(Coordinates& x)>;
-
-  SteadySolver& newton() override { return workspace().pointwise_newton(); }
-  const LinearSolver& linear() override { return workspace().newton_linear(); }
-  /// The equations may have no valid solution; then steps against the limit of validity only worsen
-  /// the mesh.
-  bool insists() const override { return false; }
-  void attempt(const Way& by_newton, const Way& by_fixed_point, Coordinates& x);
 };
 
 }  // namespace winslow

@@ -9,10 +9,11 @@
 #include "core/problem/node_unknowns.h"
 #include "core/quality/quality.h"
 #include "core/strategy/keep_outside.h"
-#include "core/strategy/newton_run.h"
+#include "core/strategy/pointwise_run.h"
 #include "core/strategy/sliding.h"
 #include "core/strategy/surface_shape.h"
 #include "core/strategy/untangling.h"
+#include "core/strategy/variational_run.h"
 #include "core/strategy/workspace.h"
 
 namespace winslow {
