@@ -354,7 +354,7 @@ class Multigrid final : public Preconditioner {
     const bool is_finest = &level == &levels_.front();
     const double size = static_cast<double>(block_) * block_;
     const double used = block_ == 1 ? static_cast<double>(components_) : 1;  // right-hand sides
-    const double row_bytes = static_cast<double>(row_stride(block_, width_) * sizeof(Real));
+    const double row_bytes = static_cast<double>(at(row_stride(block_, width_)) * sizeof(Real));
     const double dense = static_cast<double>(level.dense.rows());
     if (dense > 0) {
       sum.bytes += cycles * used * dense * dense * sizeof(double);
