@@ -161,18 +161,6 @@ class BlockSum {
     for (; e < last; ++e)
       add(values + std::ptrdiff_t{B} * B * e, x + std::ptrdiff_t{N} * columns[e]);
   }
-  /// The same from the last entry down to the first.
-  void add_down(const Real* values, const Index* columns, Index first, Index last, const Real* x) {
-    Index e = last;
-    if constexpr (B == 1) {
-      for (; e - 1 > first; e -= 2) {
-        sums_[1] += values[e - 1] * load_row<N>(x + std::ptrdiff_t{N} * columns[e - 1]);
-        sums_[0] += values[e - 2] * load_row<N>(x + std::ptrdiff_t{N} * columns[e - 2]);
-      }
-    }
-    for (; e > first; --e)
-      add(values + std::ptrdiff_t{B} * B * (e - 1), x + std::ptrdiff_t{N} * columns[e - 1]);
-  }
   Row<N> total() const {
     if constexpr (B == 3) return sums_[0] + (sums_[1] + sums_[2]);
     return sums_[0] + sums_[1];

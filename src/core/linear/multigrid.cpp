@@ -157,8 +157,7 @@ void GaussSeidel::backward_rows(std::span<const Real> b, std::span<const Real> b
     // Other threads may be changing x in other runs.
     add(p.offsets[i], inside_[2 * i], before, sum);
     add(inside_[2 * i + 1], p.offsets[i + 1], before, sum);
-    add(inside_[2 * i], p.diagonal[i] + 1, x, sum);
-    add_down(p.diagonal[i] + 1, inside_[2 * i + 1], x, sum);
+    add(inside_[2 * i], inside_[2 * i + 1], x, sum);
     const Row<N> rest = load_row<N>(&b[i * N]) - sum.total();
     const Row<N> step = block_times<B, N>(&inverse_[i * B * B], rest);
     store_row<N>(load_row<N>(&x[i * N]) + step, &x[i * N]);

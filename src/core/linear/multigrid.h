@@ -41,14 +41,10 @@ class GaussSeidel {
   template <typename Visit>
   void each_run_of_vectors(int threads, Visit&& visit) const;
   // In the following, N is the stride of the vectors.
-  /// Adds the products with the entries [first, last) of the matrix, in order, or downwards.
+  /// Adds the products with the entries [first, last) of the matrix.
   template <int B, int N>
   void add(Index first, Index last, std::span<const Real> x, BlockSum<B, N>& sum) const {
     sum.add(values_.data(), pattern_->columns.data(), first, last, x.data());
-  }
-  template <int B, int N>
-  void add_down(Index first, Index last, std::span<const Real> x, BlockSum<B, N>& sum) const {
-    sum.add_down(values_.data(), pattern_->columns.data(), first, last, x.data());
   }
   template <int B>
   void factor_rows(const SparseMatrix& matrix, Index begin, Index end,

@@ -352,37 +352,34 @@ std::shared_ptr<const SparsityPattern> Prolongation::galerkin_pattern(const Spar
 
 namespace {
 
-/// See BlockKernel; for blocks of other sizes, without padding.
+/// Adds P_i^T A_ij P_jq to block slot_of[columns[q]] of the sums, for each of the `count` blocks of
+/// row j of P, `right`. left: P_i.
 template <int B>
-struct PlainProducts {
-  static void add_products(const double* a, const Real* right, const Index* columns, Index count,
-                           const Index* slot_of, double* sums) {
-    for (Index q = 0; q < count; ++q, right += B * B) {
-      double* to = sums + at(slot_of[columns[q]]) * B * B;
-      for (int r = 0; r < B; ++r)
-        for (int k = 0; k < B; ++k)
-          for (int c = 0; c < B; ++c)
-            to[r * B + c] += a[r * B + k] * static_cast<double>(right[k * B + c]);
+void add_triple_products(const Real* left, const double* a, const Real* right, const Index* columns,
+                         Index count, const Index* slot_of, double* sums) {
+  constexpr std::ptrdiff_t size = std::ptrdiff_t{B} * B;
+  double product[B * B]{};  // left^T a
+  for (int r = 0; r < B; ++r) {
+    for (int k = 0; k < B; ++k) {
+      for (int c = 0; c < B; ++c)
+        product[r * B + c] += static_cast<double>(left[k * B + r]) * a[k * B + c];
     }
   }
-  static void add_transposed_products(const Real* left, const double* from, const Index* columns,
-                                      Index count, const Index* slot_of, double* sums) {
-    for (Index q = 0; q < count; ++q, from += B * B) {
-      double* to = sums + at(slot_of[columns[q]]) * B * B;
-      for (int r = 0; r < B; ++r)
-        for (int k = 0; k < B; ++k)
-          for (int c = 0; c < B; ++c)
-            to[r * B + c] += static_cast<double>(left[k * B + r]) * from[k * B + c];
+  for (Index q = 0; q < count; ++q, right += size) {
+    double* to = sums + at(slot_of[columns[q]]) * B * B;
+    for (int r = 0; r < B; ++r) {
+      for (int k = 0; k < B; ++k) {
+        for (int c = 0; c < B; ++c)
+          to[r * B + c] += product[r * B + k] * static_cast<double>(right[k * B + c]);
+      }
     }
   }
-};
+}
 
-/// Rows of A P, made when first needed: most belong to several rows of P^T A P. They are given up
-/// from time to time, so that they stay in the caches.
-template <int B>
+/// Rows of A P for blocks of three, made when first needed: most belong to several rows of P^T A P.
+/// They are given up from time to time, so that they stay in the caches.
 class RowProducts {
  public:
-  static constexpr std::size_t stride = B == 3 ? padded_block : B * B;  // numbers a block
   struct Part {
     std::span<const Index> columns;
     const double* blocks;
@@ -400,9 +397,8 @@ class RowProducts {
   }
   std::size_t size() const { return columns_.size(); }
 
-  /// Row i. each_product(visit): visits its products, visit(count, columns, add) for `count` of
-  /// them in these columns, of which add(slot_of, sums) adds that in column c to block slot_of[c].
-  /// The result is valid until the next call.
+  /// Row i, valid until the next call. each_product(visit): visit(entry (i, j) of A, row j of P,
+  /// its columns, their number) for all j.
   template <typename EachProduct>
   Part row(Index i, const EachProduct& each_product) {
     Index& place = place_of_[at(i)];
@@ -413,28 +409,31 @@ class RowProducts {
     }
     const std::size_t first = first_[at(place)];
     return {{columns_.data() + first, first_[at(place) + 1] - first},
-            blocks_.data() + stride * first};
+            blocks_.data() + padded * first};
   }
 
  private:
+  static constexpr std::size_t padded = padded_block;
+
   /// Adds a row at the end.
   template <typename EachProduct>
   void make(const EachProduct& each_product) {
     const std::size_t first = columns_.size();
-    each_product([&](Index count, const Index* columns, const auto& add) {
+    each_product([&](const double* a, const Real* right, const Index* columns, Index count) {
       for (Index q = 0; q < count; ++q) {
         Index& slot = slot_of_[at(columns[q])];
         if (slot >= 0) continue;
         slot = static_cast<Index>(columns_.size() - first);
         columns_.push_back(columns[q]);
-        blocks_.resize(blocks_.size() + stride, 0.0);
+        blocks_.resize(blocks_.size() + padded, 0.0);
       }
-      add(slot_of_.data(), &blocks_[stride * first]);
+      kernel_.add_products(a, right, columns, count, slot_of_.data(), &blocks_[padded * first]);
     });
     for (std::size_t k = first; k < columns_.size(); ++k) slot_of_[at(columns_[k])] = -1;
     first_.push_back(columns_.size());
   }
 
+  const BlockKernel& kernel_ = block_kernel();
   std::vector<Index> place_of_;  // #rows: in the following, or -1
   std::vector<Index> slot_of_;   // #coarse rows: of the row that is made, or -1
   std::vector<Index> rows_, columns_;
@@ -444,41 +443,35 @@ class RowProducts {
 
 }  // namespace
 
-/// In two steps, A P and P^T times it: a row of A P serves all aggregates to which the row
-/// contributes.
+/// Blocks of three in two steps, A P and P^T times it: a row of A P serves all aggregates to which
+/// the row contributes. For smaller blocks that costs more than it saves.
 template <int B>
 void Prolongation::galerkin_rows(const SparseMatrix& matrix, SparseMatrix& coarse, Index begin,
                                  Index end) const {
+  constexpr bool two_steps = B == 3;
   constexpr std::size_t kept = 16384;  // blocks of A P
-  constexpr std::size_t row_stride = B == 3 ? 4 : B, stride = RowProducts<B>::stride;
-  [[maybe_unused]] const BlockKernel& kernel = block_kernel();
-  const auto add = [&](auto... arguments) {
-    if constexpr (B == 3)
-      kernel.add_products(arguments...);
-    else
-      PlainProducts<B>::add_products(arguments...);
-  };
-  const auto add_transposed = [&](auto... arguments) {
-    if constexpr (B == 3)
-      kernel.add_transposed_products(arguments...);
-    else
-      PlainProducts<B>::add_transposed_products(arguments...);
-  };
+  constexpr std::size_t row_stride = two_steps ? 4 : B, stride = two_steps ? padded_block : B * B;
   const SparsityPattern& fine = *matrix.pattern;
   const SparsityPattern& p = *coarse.pattern;
-  RowProducts<B> products(at(rows_), at(coarse_rows()));
-  const auto product_row = [&](Index i) {
-    return products.row(i, [&](const auto& visit) {
-      for (auto e = at(fine.offsets[at(i)]); e < at(fine.offsets[at(i) + 1]); ++e) {
-        const auto j = at(fine.columns[e]), first = at(offsets_[j]);
-        const Index count = offsets_[j + 1] - offsets_[j];
-        if (count == 0) continue;
-        const Index* columns = &columns_[first];
-        visit(count, columns, [&](const Index* slot_of, double* sums) {
-          add(&matrix.values[e * B * B], &values_[first * B * B], columns, count, slot_of, sums);
-        });
-      }
-    });
+  [[maybe_unused]] const BlockKernel& kernel = block_kernel();
+  RowProducts products(two_steps ? at(rows_) : 0, two_steps ? at(coarse_rows()) : 0);
+  const auto each_product = [&](Index i, const auto& visit) {
+    for (auto e = at(fine.offsets[at(i)]); e < at(fine.offsets[at(i) + 1]); ++e) {
+      const auto j = at(fine.columns[e]), first = at(offsets_[j]);
+      if (const Index count = offsets_[j + 1] - offsets_[j]; count > 0)
+        visit(&matrix.values[e * B * B], &values_[first * B * B], &columns_[first], count);
+    }
+  };
+  const auto add = [&](Index i, const Real* left, const Index* slot_of, double* sums) {
+    if constexpr (two_steps) {
+      const auto from = products.row(i, [&](const auto& visit) { each_product(i, visit); });
+      kernel.add_transposed_products(left, from.blocks, from.columns.data(),
+                                     static_cast<Index>(from.columns.size()), slot_of, sums);
+    } else {
+      each_product(i, [&](const double* a, const Real* right, const Index* columns, Index count) {
+        add_triple_products<B>(left, a, right, columns, count, slot_of, sums);
+      });
+    }
   };
   std::vector<Index> slot_of(at(coarse_rows()));
   std::vector<double> sums;  // of one row
@@ -486,11 +479,9 @@ void Prolongation::galerkin_rows(const SparseMatrix& matrix, SparseMatrix& coars
     const auto row = at(p.offsets[a]), size = at(p.offsets[a + 1]) - row;
     for (std::size_t s = 0; s < size; ++s) slot_of[at(p.columns[row + s])] = static_cast<Index>(s);
     sums.assign(stride * size, 0.0);
-    for (auto t = at(transposed_offsets_[a]); t < at(transposed_offsets_[a + 1]); ++t) {
-      const auto from = product_row(transposed_rows_[t]);
-      add_transposed(&values_[at(transposed_entries_[t]) * B * B], from.blocks, from.columns.data(),
-                     static_cast<Index>(from.columns.size()), slot_of.data(), sums.data());
-    }
+    for (auto t = at(transposed_offsets_[a]); t < at(transposed_offsets_[a + 1]); ++t)
+      add(transposed_rows_[t], &values_[at(transposed_entries_[t]) * B * B], slot_of.data(),
+          sums.data());
     if (products.size() > kept) products.forget();
     double* to = &coarse.values[row * B * B];
     for (std::size_t s = 0; s < size; ++s) {

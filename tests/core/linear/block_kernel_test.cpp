@@ -93,12 +93,10 @@ void check_row_sum(Random& random) {
           for (int c = 0; c < B; ++c)
             expected[r] += static_cast<double>(B == 1 ? a(0, 0) * from[r] : a(r, c) * from[c]);
       }
-      BlockSum<B, N> up, down;
-      up.add(values.data(), columns.data(), first, last, x.data());
-      down.add_down(values.data(), columns.data(), first, last, x.data());
+      BlockSum<B, N> sum;
+      sum.add(values.data(), columns.data(), first, last, x.data());
       for (int k = 0; k < (B == 3 ? 3 : N); ++k) {
-        CHECK(static_cast<double>(up.total()[k]) == doctest::Approx(expected[k]).epsilon(1e-5));
-        CHECK(static_cast<double>(down.total()[k]) == doctest::Approx(expected[k]).epsilon(1e-5));
+        CHECK(static_cast<double>(sum.total()[k]) == doctest::Approx(expected[k]).epsilon(1e-5));
       }
     }
   }
@@ -106,7 +104,7 @@ void check_row_sum(Random& random) {
 
 }  // namespace
 
-TEST_CASE("sums over a row of blocks of every shape, upwards and downwards") {
+TEST_CASE("sums over a row of blocks of every shape") {
   Random random(5);
   check_row_sum<1, 1>(random);
   check_row_sum<1, 4>(random);

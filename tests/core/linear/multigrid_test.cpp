@@ -88,7 +88,8 @@ TEST_CASE("the preconditioners for conjugate gradients are symmetric and positiv
 TEST_CASE("the sweeps of Gauss-Seidel are those of the dense matrix") {
   Random random(2);
   const Mesh mesh = make_mesh(square_with_hole(12, Cells::triangles));
-  for (const auto& [block, width] : {std::pair{1, 1}, {1, 4}, {2, 1}, {3, 1}}) {
+  for (const auto& shape : {std::pair{1, 1}, {1, 4}, {2, 1}, {3, 1}}) {
+    const int block = shape.first, width = shape.second;
     CAPTURE(block);
     CAPTURE(width);
     const SparseSystem system = springs(mesh, random, block, 0.1);
@@ -134,7 +135,8 @@ TEST_CASE("the sweeps of Gauss-Seidel are those of the dense matrix") {
 TEST_CASE("the defect after a forward sweep is right between runs, too") {
   Random random(3);
   const Mesh mesh = make_mesh(square(80, Cells::triangles));
-  for (const auto& [block, width] : {std::pair{1, 1}, {1, 4}, {2, 1}, {3, 1}}) {
+  for (const auto& shape : {std::pair{1, 1}, {1, 4}, {2, 1}, {3, 1}}) {
+    const int block = shape.first, width = shape.second;
     CAPTURE(block);
     CAPTURE(width);
     // Strong connections between runs: the sweep is damped there.
