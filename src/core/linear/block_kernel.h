@@ -10,16 +10,12 @@ namespace winslow {
 constexpr Index padded_block = 12;
 
 struct BlockKernel {
-  // The two steps of a product P^T A P. Blocks of sums have padded_block numbers, with rows four
-  // numbers apart: stores to overlapping rows would stall. Block q of `count` is added to the sum
-  // slot_of[columns[q]].
-
-  /// sum += A_ij P_jq. right: the blocks of row j of P.
-  void (*add_products)(const double* a, const float* right, const Index* columns, Index count,
-                       const Index* slot_of, double* sums);
-  /// sum += P_i^T (A P)_iq. left: P_i; from: the sums of row i of A P.
-  void (*add_transposed_products)(const float* left, const double* from, const Index* columns,
-                                  Index count, const Index* slot_of, double* sums);
+  /// coarse_{slot(q)} += P_i^T A_ij P_jq for `count` entries q of a row of P, slot(q) =
+  /// slot_of[columns[q]]. left: P_i; right: the blocks of the row. coarse: blocks of padded_block
+  /// numbers, with rows four numbers apart: stores to overlapping rows would stall.
+  void (*add_triple_products)(const float* left, const double* a, const float* right,
+                              const Index* columns, Index count, const Index* slot_of,
+                              double* coarse);
 };
 
 /// For any processor.

@@ -313,18 +313,46 @@ void Prolongation::restrict(std::span<const Real> r, std::span<Real> coarse, int
   });
 }
 
+namespace {
+
+/// Rows of the coarse matrix per block: there are few rows, and each is expensive.
+constexpr Index coarse_block = 256;
+
+/// See BlockKernel.
+template <int B>
+void add_triple_products(const Real* left, const double* a, const Real* right, const Index* columns,
+                         Index count, const Index* slot_of, double* coarse) {
+  constexpr std::ptrdiff_t size = std::ptrdiff_t{B} * B;
+  double product[B * B]{};  // left^T a
+  for (int r = 0; r < B; ++r) {
+    for (int k = 0; k < B; ++k) {
+      for (int c = 0; c < B; ++c)
+        product[r * B + c] += static_cast<double>(left[k * B + r]) * a[k * B + c];
+    }
+  }
+  for (Index q = 0; q < count; ++q, right += size) {
+    double* to = coarse + at(slot_of[columns[q]]) * B * B;
+    for (int r = 0; r < B; ++r) {
+      for (int k = 0; k < B; ++k) {
+        for (int c = 0; c < B; ++c)
+          to[r * B + c] += product[r * B + k] * static_cast<double>(right[k * B + c]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
 void Prolongation::galerkin(const SparseMatrix& matrix, SparseMatrix& coarse, int threads) const {
   if (!coarse.pattern) coarse.pattern = galerkin_pattern(*matrix.pattern, threads);
   coarse.block = block_;
   coarse.symmetric = true;
   coarse.values.resize(coarse.pattern->columns.size() * at(block_ * block_));
-  // Few blocks, since the work memory of each is as large as both levels.
-  constexpr Index most_blocks = 32, least = 256;
-  const Index block = std::max(least, coarse_rows() / most_blocks + 1);
   with_block(block_, [&](auto size) {
     parallel_for(
         threads, coarse_rows(),
-        [&](Index begin, Index end) { galerkin_rows<size()>(matrix, coarse, begin, end); }, block);
+        [&](Index begin, Index end) { galerkin_rows<size()>(matrix, coarse, begin, end); },
+        coarse_block);
   });
 }
 
@@ -332,7 +360,6 @@ void Prolongation::galerkin(const SparseMatrix& matrix, SparseMatrix& coarse, in
 /// and the rows j of P.
 std::shared_ptr<const SparsityPattern> Prolongation::galerkin_pattern(const SparsityPattern& fine,
                                                                       int threads) const {
-  constexpr Index coarse_block = 256;  // few rows, each expensive
   const auto begin_block = [&] {
     return [&, seen = std::vector<Index>(at(coarse_rows()), -1)](
                Index a, std::vector<Index>& columns) mutable {
@@ -350,139 +377,29 @@ std::shared_ptr<const SparsityPattern> Prolongation::galerkin_pattern(const Spar
   return build_pattern(coarse_rows(), coarse_block, threads, begin_block);
 }
 
-namespace {
-
-/// Adds P_i^T A_ij P_jq to block slot_of[columns[q]] of the sums, for each of the `count` blocks of
-/// row j of P, `right`. left: P_i.
-template <int B>
-void add_triple_products(const Real* left, const double* a, const Real* right, const Index* columns,
-                         Index count, const Index* slot_of, double* sums) {
-  constexpr std::ptrdiff_t size = std::ptrdiff_t{B} * B;
-  double product[B * B]{};  // left^T a
-  for (int r = 0; r < B; ++r) {
-    for (int k = 0; k < B; ++k) {
-      for (int c = 0; c < B; ++c)
-        product[r * B + c] += static_cast<double>(left[k * B + r]) * a[k * B + c];
-    }
-  }
-  for (Index q = 0; q < count; ++q, right += size) {
-    double* to = sums + at(slot_of[columns[q]]) * B * B;
-    for (int r = 0; r < B; ++r) {
-      for (int k = 0; k < B; ++k) {
-        for (int c = 0; c < B; ++c)
-          to[r * B + c] += product[r * B + k] * static_cast<double>(right[k * B + c]);
-      }
-    }
-  }
-}
-
-/// Rows of A P for blocks of three, made when first needed: most belong to several rows of P^T A P.
-/// They are given up from time to time, so that they stay in the caches.
-class RowProducts {
- public:
-  struct Part {
-    std::span<const Index> columns;
-    const double* blocks;
-  };
-
-  RowProducts(std::size_t rows, std::size_t coarse_rows)
-      : place_of_(rows, -1), slot_of_(coarse_rows, -1) {}
-
-  void forget() {
-    for (const Index row : rows_) place_of_[at(row)] = -1;
-    rows_.clear();
-    columns_.clear();
-    first_.assign(1, 0);
-    blocks_.clear();
-  }
-  std::size_t size() const { return columns_.size(); }
-
-  /// Row i, valid until the next call. each_product(visit): visit(entry (i, j) of A, row j of P,
-  /// its columns, their number) for all j.
-  template <typename EachProduct>
-  Part row(Index i, const EachProduct& each_product) {
-    Index& place = place_of_[at(i)];
-    if (place < 0) {
-      place = static_cast<Index>(rows_.size());
-      rows_.push_back(i);
-      make(each_product);
-    }
-    const std::size_t first = first_[at(place)];
-    return {{columns_.data() + first, first_[at(place) + 1] - first},
-            blocks_.data() + padded * first};
-  }
-
- private:
-  static constexpr std::size_t padded = padded_block;
-
-  /// Adds a row at the end.
-  template <typename EachProduct>
-  void make(const EachProduct& each_product) {
-    const std::size_t first = columns_.size();
-    each_product([&](const double* a, const Real* right, const Index* columns, Index count) {
-      for (Index q = 0; q < count; ++q) {
-        Index& slot = slot_of_[at(columns[q])];
-        if (slot >= 0) continue;
-        slot = static_cast<Index>(columns_.size() - first);
-        columns_.push_back(columns[q]);
-        blocks_.resize(blocks_.size() + padded, 0.0);
-      }
-      kernel_.add_products(a, right, columns, count, slot_of_.data(), &blocks_[padded * first]);
-    });
-    for (std::size_t k = first; k < columns_.size(); ++k) slot_of_[at(columns_[k])] = -1;
-    first_.push_back(columns_.size());
-  }
-
-  const BlockKernel& kernel_ = block_kernel();
-  std::vector<Index> place_of_;  // #rows: in the following, or -1
-  std::vector<Index> slot_of_;   // #coarse rows: of the row that is made, or -1
-  std::vector<Index> rows_, columns_;
-  std::vector<std::size_t> first_{0};  // of each row, into columns
-  std::vector<double> blocks_;
-};
-
-}  // namespace
-
-/// Blocks of three in two steps, A P and P^T times it: a row of A P serves all aggregates to which
-/// the row contributes. For smaller blocks that costs more than it saves.
 template <int B>
 void Prolongation::galerkin_rows(const SparseMatrix& matrix, SparseMatrix& coarse, Index begin,
                                  Index end) const {
-  constexpr bool two_steps = B == 3;
-  constexpr std::size_t kept = 16384;  // blocks of A P
-  constexpr std::size_t row_stride = two_steps ? 4 : B, stride = two_steps ? padded_block : B * B;
   const SparsityPattern& fine = *matrix.pattern;
   const SparsityPattern& p = *coarse.pattern;
-  [[maybe_unused]] const BlockKernel& kernel = block_kernel();
-  RowProducts products(two_steps ? at(rows_) : 0, two_steps ? at(coarse_rows()) : 0);
-  const auto each_product = [&](Index i, const auto& visit) {
-    for (auto e = at(fine.offsets[at(i)]); e < at(fine.offsets[at(i) + 1]); ++e) {
-      const auto j = at(fine.columns[e]), first = at(offsets_[j]);
-      if (const Index count = offsets_[j + 1] - offsets_[j]; count > 0)
-        visit(&matrix.values[e * B * B], &values_[first * B * B], &columns_[first], count);
-    }
-  };
-  const auto add = [&](Index i, const Real* left, const Index* slot_of, double* sums) {
-    if constexpr (two_steps) {
-      const auto from = products.row(i, [&](const auto& visit) { each_product(i, visit); });
-      kernel.add_transposed_products(left, from.blocks, from.columns.data(),
-                                     static_cast<Index>(from.columns.size()), slot_of, sums);
-    } else {
-      each_product(i, [&](const double* a, const Real* right, const Index* columns, Index count) {
-        add_triple_products<B>(left, a, right, columns, count, slot_of, sums);
-      });
-    }
-  };
+  const auto add = B == 3 ? block_kernel().add_triple_products : add_triple_products<B>;
+  constexpr std::size_t row_stride = B == 3 ? 4 : B, stride = B == 3 ? padded_block : B * B;
   std::vector<Index> slot_of(at(coarse_rows()));
   std::vector<double> sums;  // of one row
   for (auto a = at(begin); a < at(end); ++a) {
     const auto row = at(p.offsets[a]), size = at(p.offsets[a + 1]) - row;
     for (std::size_t s = 0; s < size; ++s) slot_of[at(p.columns[row + s])] = static_cast<Index>(s);
     sums.assign(stride * size, 0.0);
-    for (auto t = at(transposed_offsets_[a]); t < at(transposed_offsets_[a + 1]); ++t)
-      add(transposed_rows_[t], &values_[at(transposed_entries_[t]) * B * B], slot_of.data(),
-          sums.data());
-    if (products.size() > kept) products.forget();
+    for (auto t = at(transposed_offsets_[a]); t < at(transposed_offsets_[a + 1]); ++t) {
+      const auto i = at(transposed_rows_[t]);
+      const Real* left = &values_[at(transposed_entries_[t]) * B * B];
+      for (auto e = at(fine.offsets[i]); e < at(fine.offsets[i + 1]); ++e) {
+        const auto j = at(fine.columns[e]);
+        const auto first = at(offsets_[j]);
+        add(left, &matrix.values[e * B * B], &values_[first * B * B], &columns_[first],
+            offsets_[j + 1] - offsets_[j], slot_of.data(), sums.data());
+      }
+    }
     double* to = &coarse.values[row * B * B];
     for (std::size_t s = 0; s < size; ++s) {
       for (std::size_t r = 0; r < B; ++r, to += B)

@@ -25,54 +25,37 @@ std::vector<T> random_numbers(std::size_t count, Random& random) {
 
 }  // namespace
 
-TEST_CASE("products of blocks: both versions give the same bits, and the right ones") {
+TEST_CASE("triple products of blocks: both versions give the same bits, and the right ones") {
   Random random(3);
+  const auto left = random_numbers<float>(9, random);
+  const auto a = random_numbers<double>(9, random);
   const std::vector<Index> columns{4, 1, 3};
   const std::vector<Index> slot_of{-1, 2, -1, 0, 1};
+  const auto right = random_numbers<float>(27, random);
   const auto start = random_numbers<double>(3 * padded_block, random);
-  const auto check = [&](const auto& run, const auto& expected_of) {
-    const std::vector<double> found = run(portable_block_kernel());
-    if (const BlockKernel* fast = avx2_block_kernel()) CHECK(run(*fast) == found);
-    for (std::size_t q = 0; q < 3; ++q) {
-      const Block3 expected = expected_of(q);
-      const auto place = static_cast<std::size_t>(padded_block * slot_of[at(columns[q])]);
-      for (std::size_t r = 0; r < 3; ++r) {
-        for (std::size_t c = 0; c < 3; ++c) {
-          const std::size_t k = place + 4 * r + c;
-          CHECK(found[k] - start[k] ==
-                doctest::Approx(expected(static_cast<int>(r), static_cast<int>(c))).epsilon(1e-14));
-        }
-      }
-    }
+  const auto run = [&](const BlockKernel& kernel) {
+    auto coarse = start;
+    kernel.add_triple_products(left.data(), a.data(), right.data(), columns.data(), 3,
+                               slot_of.data(), coarse.data());
+    return coarse;
   };
+  const auto found = run(portable_block_kernel());
+  if (const BlockKernel* fast = avx2_block_kernel()) CHECK(run(*fast) == found);
   const auto block_of = [](const float* p) {
     return Eigen::Map<const Eigen::Matrix<float, 3, 3, Eigen::RowMajor>>(p).cast<double>().eval();
   };
-  const auto a = random_numbers<double>(9, random);
-  const auto right = random_numbers<float>(27, random);
-  check(
-      [&](const BlockKernel& kernel) {
-        auto sums = start;
-        kernel.add_products(a.data(), right.data(), columns.data(), 3, slot_of.data(), sums.data());
-        return sums;
-      },
-      [&](std::size_t q) {
-        return Block3(Eigen::Map<const Block3>(a.data()) * block_of(&right[9 * q]));
-      });
-  const auto left = random_numbers<float>(9, random);
-  const auto from = random_numbers<double>(3 * padded_block, random);
-  check(
-      [&](const BlockKernel& kernel) {
-        auto sums = start;
-        kernel.add_transposed_products(left.data(), from.data(), columns.data(), 3, slot_of.data(),
-                                       sums.data());
-        return sums;
-      },
-      [&](std::size_t q) {
-        using Padded = Eigen::Map<const Block3, 0, Eigen::OuterStride<4>>;
-        return Block3(block_of(left.data()).transpose() *
-                      Padded(&from[static_cast<std::size_t>(padded_block) * q]));
-      });
+  for (std::size_t q = 0; q < 3; ++q) {
+    const Block3 expected = block_of(left.data()).transpose() * Eigen::Map<const Block3>(a.data()) *
+                            block_of(&right[9 * q]);
+    const auto place = static_cast<std::size_t>(padded_block * slot_of[at(columns[q])]);
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::size_t k = place + 4 * r + c;
+        CHECK(found[k] - start[k] ==
+              doctest::Approx(expected(static_cast<int>(r), static_cast<int>(c))).epsilon(1e-14));
+      }
+    }
+  }
 }
 
 namespace {

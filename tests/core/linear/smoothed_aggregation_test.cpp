@@ -157,7 +157,7 @@ Dense dense_of(const Prolongation& prolongation, const SparseMatrix& matrix) {
 
 TEST_CASE("restriction is the transposed interpolation, and the coarse matrix their product") {
   Random random(7);
-  // More aggregates than are treated in one block, and more rows of A P than are kept.
+  // More aggregates than are treated in one block.
   const Mesh mesh = make_mesh(square_with_hole(56, Cells::triangles));
   for (const int block : {1, 2, 3}) {
     CAPTURE(block);
