@@ -145,7 +145,7 @@ class BlockSum {
       sums_[0] += a[0] * load_row<N>(x);
     } else {
       const Row<N> from = load_row<N>(x);
-      for (int c = 0; c < B; ++c) sums_[c] += load_row<N>(a + B * c) * from[c];
+      for (int c = 0; c < B; ++c) sums_[c] += load_row<N>(a + std::ptrdiff_t{B} * c) * from[c];
     }
   }
   /// Adds the products with the entries [first, last) of a matrix, the last one at the end, so that
@@ -175,7 +175,7 @@ template <int B, int N>
 inline Row<N> block_times(const Real* a, const Row<N>& x) {
   if constexpr (B == 1) return a[0] * x;
   Row<N> sum = load_row<N>(a) * x[0];
-  for (int c = 1; c < B; ++c) sum += load_row<N>(a + B * c) * x[c];
+  for (int c = 1; c < B; ++c) sum += load_row<N>(a + std::ptrdiff_t{B} * c) * x[c];
   return sum;
 }
 
