@@ -1,5 +1,7 @@
 #include "core/formulation/gradient_parts.h"
 
+#include <cstring>
+
 #include "core/parallel/parallel_for.h"
 
 namespace winslow {
@@ -7,6 +9,12 @@ namespace winslow {
 namespace {
 
 constexpr std::size_t padded = 4;  // numbers a point in the kernel's arrays
+
+/// A few numbers: std::copy_n would call a function for them.
+template <std::size_t Count>
+void copy(const double* from, double* to) {
+  std::memcpy(to, from, Count * sizeof(double));
+}
 
 }  // namespace
 
@@ -93,28 +101,13 @@ void GradientParts::make_pattern(const RowBlocks<3>& blocks) {
   pattern_ = std::move(pattern);
 }
 
-double GradientParts::sum_part(const distortion::SimplexKernel<3>& kernel,
-                               const distortion::SimplexData& data, std::size_t k,
-                               std::span<double> handed_on, std::span<double> out) const {
-  const Part& part = parts_[k];
-  std::vector<double> x(padded * part.nodes.size()), sums(x.size(), 0.0);
-  for (std::size_t i = 0; i < part.nodes.size(); ++i)
-    std::copy_n(data.x + 3 * static_cast<std::ptrdiff_t>(part.nodes[i]), 3, &x[padded * i]);
-  const double energy = kernel.add_gradients(data, x.data(), part.corners.data(), part.first_cell,
-                                             part.end_cell, sums.data());
-  const std::size_t first = k * at(rows_per_part);
-  const std::size_t own = std::min(nodes_.size() - first, at(rows_per_part));
-  for (std::size_t i = 0; i < own; ++i) std::copy_n(&sums[padded * i], 3, &out[3 * (first + i)]);
-  for (std::size_t i = 0; i < part.handed_on.size(); ++i)
-    std::copy_n(&sums[padded * at(part.handed_on[i])], 3, &handed_on[3 * (part.first_place + i)]);
-  return energy;
-}
-
-double GradientParts::gradient(const distortion::SimplexKernel<3>& kernel,
-                               const distortion::SimplexData& data, int threads,
-                               std::span<double> out) const {
+/// The sums of all cells. x: of all nodes. add_cells(k, part, x, sums): adds those of part number k
+/// to `sums`, Stride numbers for each of its nodes, of which the first are wanted.
+template <std::size_t Numbers, std::size_t Stride, typename AddCells>
+void GradientParts::sum(const double* x, int threads, std::span<double> out,
+                        const AddCells& add_cells) const {
   const auto count = static_cast<Index>(parts_.size());
-  std::vector<double> energies(parts_.size()), handed_on(3 * handed_on_);
+  std::vector<double> handed_on(Numbers * handed_on_);
   const auto each_part = [&](const auto& visit) {
     parallel_for(
         threads, count,
@@ -123,13 +116,48 @@ double GradientParts::gradient(const distortion::SimplexKernel<3>& kernel,
         },
         1);
   };
-  each_part([&](std::size_t k) { energies[k] = sum_part(kernel, data, k, handed_on, out); });
   each_part([&](std::size_t k) {
-    double* own = out.data() + 3 * k * at(rows_per_part);
-    for (const auto& [place, row] : parts_[k].received)
-      for (std::size_t c = 0; c < 3; ++c) own[3 * at(row) + c] += handed_on[3 * at(place) + c];
+    const Part& part = parts_[k];
+    std::vector<double> own_x(padded * part.nodes.size()), sums(Stride * part.nodes.size(), 0.0);
+    for (std::size_t i = 0; i < part.nodes.size(); ++i)
+      copy<3>(x + 3 * static_cast<std::ptrdiff_t>(part.nodes[i]), &own_x[padded * i]);
+    add_cells(k, part, own_x.data(), sums.data());
+    const std::size_t first = k * at(rows_per_part);
+    const std::size_t own = std::min(nodes_.size() - first, at(rows_per_part));
+    for (std::size_t i = 0; i < own; ++i)
+      copy<Numbers>(&sums[Stride * i], &out[Numbers * (first + i)]);
+    for (std::size_t i = 0; i < part.handed_on.size(); ++i)
+      copy<Numbers>(&sums[Stride * at(part.handed_on[i])],
+                    &handed_on[Numbers * (part.first_place + i)]);
   });
+  each_part([&](std::size_t k) {
+    double* own = out.data() + Numbers * k * at(rows_per_part);
+    for (const auto& [place, row] : parts_[k].received)
+      for (std::size_t c = 0; c < Numbers; ++c)
+        own[Numbers * at(row) + c] += handed_on[Numbers * at(place) + c];
+  });
+}
+
+double GradientParts::gradient(const distortion::SimplexKernel<3>& kernel,
+                               const distortion::SimplexData& data, int threads,
+                               std::span<double> out) const {
+  std::vector<double> energies(parts_.size());
+  sum<3, padded>(data.x, threads, out,
+                 [&](std::size_t k, const Part& part, const double* x, double* sums) {
+                   energies[k] = kernel.add_gradients(data, x, part.corners.data(), part.first_cell,
+                                                      part.end_cell, sums);
+                 });
   return std::accumulate(energies.begin(), energies.end(), 0.0);
+}
+
+void GradientParts::scales(const distortion::SimplexKernel<3>& kernel,
+                           const distortion::SimplexData& data, int threads,
+                           std::span<double> out) const {
+  constexpr std::size_t numbers = distortion::SimplexLayout<3>::scale;
+  sum<numbers, numbers>(
+      data.x, threads, out, [&](std::size_t, const Part& part, const double* x, double* sums) {
+        kernel.add_scales(data, x, part.corners.data(), part.first_cell, part.end_cell, sums);
+      });
 }
 
 void GradientParts::laplacian(const distortion::SimplexKernel<3>& kernel,

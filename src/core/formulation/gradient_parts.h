@@ -29,6 +29,10 @@ class GradientParts {
   /// undefined if it is infinite.
   double gradient(const distortion::SimplexKernel<3>& kernel, const distortion::SimplexData& data,
                   int threads, std::span<double> out) const;
+  /// out: receives two numbers a row, the lengths of the edges in all its cells and the trace of
+  /// its diagonal block. Inverted cells count as well.
+  void scales(const distortion::SimplexKernel<3>& kernel, const distortion::SimplexData& data,
+              int threads, std::span<double> out) const;
   /// The scalar operator of FirstOrderForm::laplacian(), in the order of the rows: the sum over the
   /// cells (SimplexKernel::sum_scalars), with nodes without rows held.
   void laplacian(const distortion::SimplexKernel<3>& kernel, const distortion::SimplexData& data,
@@ -49,8 +53,8 @@ class GradientParts {
     std::vector<std::array<Index, 2>> received;
   };
   void make_pattern(const RowBlocks<3>& blocks);
-  double sum_part(const distortion::SimplexKernel<3>& kernel, const distortion::SimplexData& data,
-                  std::size_t part, std::span<double> handed_on, std::span<double> out) const;
+  template <std::size_t Numbers, std::size_t Stride, typename AddCells>
+  void sum(const double* x, int threads, std::span<double> out, const AddCells& add_cells) const;
   void write_rows(Index first, Index last, std::span<const double> entries,
                   std::span<const double> diagonals, std::span<double> values) const;
 

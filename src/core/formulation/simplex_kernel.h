@@ -62,7 +62,7 @@ struct SimplexLayout<3> {
   static constexpr std::ptrdiff_t term = 8;  ///< metric 11, 12, 13, 22, 23, 33, weight, unused
   static constexpr std::ptrdiff_t corners = 56, corner = 16, sum = 120;
   static constexpr std::ptrdiff_t slim_corner = 4, slim_traces = 16, slim_sum = 20;
-  static constexpr std::ptrdiff_t scalar_sum = 6;
+  static constexpr std::ptrdiff_t scalar_sum = 6, scale = 2;
   static constexpr std::ptrdiff_t gradient = 12, row = 16;
 };
 
@@ -100,6 +100,10 @@ struct SimplexKernel {
   /// points each. Without a regularisation. Null in the plane.
   double (*add_gradients)(const SimplexData&, const double* x, const Index* corners, Index begin,
                           Index end, double* sums);
+  /// Likewise adds what the scales of residuals need, `scale` numbers a point: the lengths of the
+  /// edges and the trace of the diagonal block. Of inverted cells as well. Null in the plane.
+  void (*add_scales)(const SimplexData&, const double* x, const Index* corners, Index begin,
+                     Index end, double* sums);
   /// A scalar that resembles the Hessian in each component, positive semidefinite: over the edges k
   /// and l of a cell, summed over its terms,
   ///

@@ -313,19 +313,6 @@ void SimplexWinslow<D>::boundary_response(const Coordinates& x, const Coordinate
   reduction.reduce(full, out, nullptr);
 }
 
-/// The scale of the gradient of each row (RowSum::scale_of()), in the order of the blocks.
-template <int D>
-void SimplexWinslow<D>::scales(const Coordinates& x, std::span<double> out) const {
-  const SimplexData cells = data(x, nullptr);
-  for_each_block([&](std::size_t, Index block, Index first, Index last, BlockMemory& memory) {
-    sum_block(cells, false, false, block, memory);
-    for (Index p = first; p < last; ++p) {
-      const Index count = structure_->cells_at_row[at(structure_->rows.row(p))];
-      out[at(p)] = 1 / memory.row(p - first).scale_of(count).scaled(1);
-    }
-  });
-}
-
 /// The form of a volume mesh. Its rows are those of RowBlocks.
 class VolumeFirstOrder final : public FirstOrderForm {
  public:
@@ -354,17 +341,31 @@ class VolumeFirstOrder final : public FirstOrderForm {
     }
     return energy;
   }
-  void scales(const Coordinates& x, std::span<double> out) const override { form_.scales(x, out); }
+  void scales(const Coordinates& x, std::span<double> out) const override {
+    const auto& structure = *form_.structure_;
+    std::vector<double> sums(2 * out.size());
+    parts_.scales(form_.kernel(), form_.data(x, nullptr), form_.threads(), sums);
+    for (Index p = 0; p < rows(); ++p) {
+      const double* own = &sums[2 * at(p)];
+      const Index count = structure.cells_at_row[at(structure.rows.row(p))];
+      out[at(p)] = 1 / RowSum<3>::Scale{own[1], own[0], count}.scaled(1);
+    }
+  }
   void positions(const Coordinates& x, std::span<double> out) const override {
     const SpacePoints points(x);
-    for (std::size_t p = 0; p < parts_.nodes().size(); ++p)
-      Eigen::Map<Vec3>(out.data() + 3 * p) = points[parts_.nodes()[p]];
+    parallel_for(form_.threads(), rows(), [&](Index begin, Index end) {
+      for (auto p = at(begin); p < at(end); ++p)
+        Eigen::Map<Vec3>(out.data() + 3 * p) = points[parts_.nodes()[p]];
+    });
   }
   void rates(const Coordinates& x, std::span<const double> vectors,
              std::span<double> out) const override {
-    const auto count = form_.node_unknowns().nodes().size();
-    for (std::size_t row = 0; row < count; ++row)
-      std::copy_n(&vectors[3 * at(parts_.position(row))], 3, &out[3 * row]);
+    const auto count = static_cast<Index>(form_.node_unknowns().nodes().size());
+    parallel_for(form_.threads(), count, [&](Index begin, Index end) {
+      for (auto row = at(begin); row < at(end); ++row)
+        Eigen::Map<Vec3>(out.data() + 3 * row) =
+            Eigen::Map<const Vec3>(vectors.data() + 3 * at(parts_.position(row)));
+    });
     for (const Sliding& of : sliding_) {
       const Eigen::Map<const Vec3> own(vectors.data() + 3 * of.position);
       double* to = &out[3 * at(form_.structure_->row_of_node[at(of.node)])];

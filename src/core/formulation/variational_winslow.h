@@ -78,7 +78,6 @@ class SimplexWinslow final : public TargetForm<D> {
                    Index block, BlockMemory& memory) const;
   template <typename Visit>
   void for_each_block(Visit&& visit) const;
-  void scales(const Coordinates& x, std::span<double> out) const;
 
   std::shared_ptr<const SimplexStructure<D>> structure_;
 };

@@ -33,14 +33,21 @@ decltype(auto) with_block(int block, Body&& body) {
   }
 }
 
-/// The same with how many numbers a vector has for each row as a second constant. width: of scalar
-/// matrices, right-hand sides at once: 1 or 4.
+/// Vectors of multigrid have `stride` numbers for each row: as many as a block, but four for blocks
+/// of three and for several right-hand sides of a scalar matrix. So a row is loaded and stored at
+/// once: a load that spans two recent stores waits for both.
+constexpr int row_stride(int block, int width) { return block == 3 || width == 4 ? 4 : block; }
+
+/// with_block() with the stride as a second constant. width: of scalar matrices, right-hand sides
+/// at once: 1 or 4.
 template <typename Body>
 decltype(auto) with_shape(int block, int width, Body&& body) {
   using One = std::integral_constant<int, 1>;
   if (block == 1 && width == 4) return body(One{}, std::integral_constant<int, 4>{});
   if (width != 1) throw UsageError("only scalar matrices take several right-hand sides at once");
-  return with_block(block, [&](auto size) { return body(size, size); });
+  return with_block(block, [&](auto size) {
+    return body(size, std::integral_constant<int, row_stride(size(), 1)>{});
+  });
 }
 
 /// B by B, row-major, as in SparseMatrix::values.
@@ -80,24 +87,6 @@ inline void multiply(const A* a, const X* x, Y* y) {
   }
 }
 
-/// y = A x for a row of N = B numbers, or for N right-hand sides of a scalar.
-template <int B, int N, typename A, typename X, typename Y>
-inline void multiply_row(const A* a, const X* x, Y* y) {
-  if constexpr (N == B)
-    multiply<B>(a, x, y);
-  else
-    for (int k = 0; k < N; ++k) y[k] = a[0] * x[k];
-}
-
-/// The same, y += A x.
-template <int B, int N, typename A, typename X, typename Y>
-inline void multiply_add_row(const A* a, const X* x, Y* y) {
-  if constexpr (N == B)
-    multiply_add<B>(a, x, y);
-  else
-    for (int k = 0; k < N; ++k) y[k] += a[0] * x[k];
-}
-
 /// Smallest eigenvalue of a symmetric block; only its lower triangle is read. NaN if the block is
 /// not finite.
 template <int B>
@@ -107,10 +96,8 @@ double smallest_eigenvalue(const Block<double, B>& a) {
   return eigen.computeDirect(a, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-/// Products of rows of blocks with a vector, the innermost loops of all iterative solvers.
-
-/// out = sum of A_e x_column(e) over the entries [first, last). values: blocks, B by B and
-/// row-major; x: B numbers for each column.
+/// out = sum of A_e x_column(e) over the entries [first, last), the innermost loop of Krylov
+/// methods. values: blocks, B by B and row-major; x: B numbers for each column.
 template <int B, typename T>
 inline void row_product(const T* values, const Index* columns, Index first, Index last, const T* x,
                         T* out) {
@@ -124,51 +111,72 @@ inline void row_product(const T* values, const Index* columns, Index first, Inde
   }
 }
 
-/// The same for 3 by 3 blocks in single precision, one row of a block at a time: four numbers, of
-/// which three are used. Nothing is read beyond the last block: its last row is loaded from one
-/// number earlier, with x shifted by one lane. (Double precision has no gain: it is limited by
-/// memory bandwidth.)
-template <>
-inline void row_product<3, float>(const float* values, const Index* columns, Index first,
-                                  Index last, const float* x, float* out) {
-  typedef float Pack __attribute__((vector_size(16)));
-  Pack r0{}, r1{}, r2{};
-  const float* a = values + std::ptrdiff_t{9} * first;
-  for (Index e = first; e < last; ++e, a += 9) {
-    const float* from = x + std::ptrdiff_t{3} * columns[e];
-    const Pack v = {from[0], from[1], from[2], 0};
-    Pack a0, a1, a2;
-    std::memcpy(&a0, a, sizeof a0);
-    std::memcpy(&a1, a + 3, sizeof a1);
-    std::memcpy(&a2, a + 5, sizeof a2);
-    r0 += a0 * v;
-    r1 += a1 * v;
-    r2 += a2 * __builtin_shufflevector(v, v, 3, 0, 1, 2);
-  }
-  out[0] = r0[0] + r0[1] + r0[2];
-  out[1] = r1[0] + r1[1] + r1[2];
-  out[2] = r2[1] + r2[2] + r2[3];
+/// One row of a vector of multigrid, N numbers.
+template <int N>
+struct RowOf {
+  typedef Real Numbers __attribute__((vector_size(sizeof(Real) * N)));
+};
+template <int N>
+using Row = typename RowOf<N>::Numbers;
+
+template <int N>
+inline Row<N> load_row(const Real* from) {
+  Row<N> row;
+  std::memcpy(&row, from, sizeof row);
+  return row;
+}
+template <int N>
+inline void store_row(const Row<N>& row, Real* to) {
+  std::memcpy(to, &row, sizeof row);
 }
 
-/// The same for a scalar matrix and four right-hand sides at once, the numbers of a row side by
-/// side.
-inline void wide_row_product(const float* values, const Index* columns, Index first, Index last,
-                             const float* x, float* out) {
-  typedef float Pack __attribute__((vector_size(16)));
-  const auto term = [&](Index e) {
-    Pack from;
-    std::memcpy(&from, x + std::ptrdiff_t{4} * columns[e], sizeof from);
-    return values[e] * from;
-  };
-  Pack even{}, odd{};  // two sums, so that an addition need not wait for the one before
-  Index e = first;
-  for (; e + 1 < last; e += 2) {
-    even += term(e);
-    odd += term(e + 1);
+/// What arrays of 3 by 3 blocks have beyond their end, because rows of four numbers are loaded of
+/// them: the fourth one belongs to the next block, and is not used.
+constexpr std::size_t block_tail = 3;
+
+/// A sum of products A x of blocks and rows of N numbers, N the stride of B: the innermost loop of
+/// multigrid. Blocks are column-major, so that no numbers of a row are added up. Several sums, so
+/// that an addition need not wait for the one before.
+template <int B, int N>
+class BlockSum {
+ public:
+  void add(const Real* a, const Real* x) {
+    if constexpr (B == 1) {
+      sums_[0] += a[0] * load_row<N>(x);
+    } else {
+      const Row<N> from = load_row<N>(x);
+      for (int c = 0; c < B; ++c) sums_[c] += load_row<N>(a + std::ptrdiff_t{B} * c) * from[c];
+    }
   }
-  if (e < last) even += term(e);
-  even += odd;
-  std::memcpy(out, &even, sizeof even);
+  /// Adds the products with the entries [first, last) of a matrix, the last one at the end, so that
+  /// its row of x may be the latest to be known.
+  void add(const Real* values, const Index* columns, Index first, Index last, const Real* x) {
+    Index e = first;
+    if constexpr (B == 1) {
+      for (; e + 1 < last; e += 2) {
+        sums_[1] += values[e] * load_row<N>(x + std::ptrdiff_t{N} * columns[e]);
+        sums_[0] += values[e + 1] * load_row<N>(x + std::ptrdiff_t{N} * columns[e + 1]);
+      }
+    }
+    for (; e < last; ++e)
+      add(values + std::ptrdiff_t{B} * B * e, x + std::ptrdiff_t{N} * columns[e]);
+  }
+  Row<N> total() const {
+    if constexpr (B == 3) return sums_[0] + (sums_[1] + sums_[2]);
+    return sums_[0] + sums_[1];
+  }
+
+ private:
+  Row<N> sums_[B == 3 ? 3 : 2]{};
+};
+
+/// A x for a column-major block.
+template <int B, int N>
+inline Row<N> block_times(const Real* a, const Row<N>& x) {
+  if constexpr (B == 1) return a[0] * x;
+  Row<N> sum = load_row<N>(a) * x[0];
+  for (int c = 1; c < B; ++c) sum += load_row<N>(a + std::ptrdiff_t{B} * c) * x[c];
+  return sum;
 }
 
 }  // namespace winslow

@@ -19,33 +19,15 @@ Eigen::Map<const Block<double, B>> block_at(const SparseMatrix& matrix, std::siz
   return Eigen::Map<const Block<double, B>>(&matrix.values[entry * B * B]);
 }
 
-/// Cholesky factor of a block on the diagonal.
+/// The inverse of the Cholesky factor of a block on the diagonal.
 template <int B>
-Eigen::LLT<Eigen::Matrix<double, B, B>> factor_diagonal(const SparseMatrix& matrix, Index row) {
+Eigen::Matrix<double, B, B> inverse_factor(const SparseMatrix& matrix, Index row) {
   const auto d = block_at<B>(matrix, at(matrix.pattern->diagonal[at(row)]));
-  Eigen::LLT<Eigen::Matrix<double, B, B>> llt(d);
+  const Eigen::LLT<Eigen::Matrix<double, B, B>> llt(d);
   if (llt.info() != Eigen::Success || !(d.diagonal().minCoeff() > 0)) {
     throw NotPositiveDefinite("the matrix is not positive definite (a block on its diagonal)");
   }
-  return llt;
-}
-
-/// Weight of a row's connections to other runs relative to the diagonal: the sum of the Frobenius
-/// norms of D_i^-1/2 A_ij D_j^-1/2 over the columns outside [begin, end).
-template <int B>
-double outside_weight(const SparseMatrix& matrix, Index row, Index begin, Index end) {
-  const SparsityPattern& p = *matrix.pattern;
-  double sum = 0;
-  for (auto e = at(p.offsets[at(row)]); e < at(p.offsets[at(row) + 1]); ++e) {
-    const Index j = p.columns[e];
-    if (j >= begin && j < end) continue;
-    Eigen::Matrix<double, B, B> scaled = block_at<B>(matrix, e);
-    factor_diagonal<B>(matrix, row).matrixL().solveInPlace(scaled);
-    scaled.transposeInPlace();
-    factor_diagonal<B>(matrix, j).matrixL().solveInPlace(scaled);
-    sum += scaled.norm();
-  }
-  return sum;
+  return llt.matrixL().solve(Eigen::Matrix<double, B, B>::Identity());
 }
 
 }  // namespace
@@ -73,57 +55,79 @@ void GaussSeidel::build(const SparseMatrix& matrix, int threads, int width) {
   pattern_ = matrix.pattern;
   block_ = matrix.block;
   width_ = width;
-  const auto rows = at(pattern_->rows());
-  values_.resize(matrix.values.size());
-  inverse_.resize(rows * at(block_) * at(block_));
+  const auto rows = at(pattern_->rows()), size = at(block_) * at(block_);
+  values_.resize(matrix.values.size() + block_tail);
+  inverse_.resize(rows * size + block_tail);
   excess_.resize(rows);
   inside_.resize(2 * rows);
-  each_run(threads,
-           [&](auto size, Index begin, Index end) { build_rows<size()>(matrix, begin, end); });
+  std::vector<double> inverse_factors(rows * size);
+  each_run(threads, [&](auto block, Index begin, Index end) {
+    factor_rows<block()>(matrix, begin, end, inverse_factors);
+  });
+  each_run(threads, [&](auto block, Index begin, Index end) {
+    build_rows<block()>(matrix, inverse_factors, begin, end);
+  });
 }
 
+/// Finds the inverses of the Cholesky factors on the diagonal, row-major, for build_rows().
 template <int B>
-void GaussSeidel::build_rows(const SparseMatrix& matrix, Index begin, Index end) {
-  const auto first = at(pattern_->offsets[at(begin)]) * B * B;
-  const auto last = at(pattern_->offsets[at(end)]) * B * B;
-  std::transform(&matrix.values[first], matrix.values.data() + last, &values_[first],
-                 [](double v) { return static_cast<Real>(v); });
+void GaussSeidel::factor_rows(const SparseMatrix& matrix, Index begin, Index end,
+                              std::span<double> inverse_factors) {
   for (Index i = begin; i < end; ++i) {
-    const auto columns = pattern_->columns.begin();
-    const auto first_entry = columns + pattern_->offsets[at(i)];
-    const auto last_entry = columns + pattern_->offsets[at(i) + 1];
-    inside_[2 * at(i)] =
-        static_cast<Index>(std::lower_bound(first_entry, last_entry, begin) - columns);
-    inside_[2 * at(i) + 1] =
-        static_cast<Index>(std::lower_bound(first_entry, last_entry, end) - columns);
-    // M + M^T - A = D (2 C - 1) - O is positive definite if 2 C - 1 exceeds the weight of O.
-    constexpr double margin = 0.9;
-    const double outside = outside_weight<B>(matrix, i, begin, end);
-    const double excess = std::max(0.0, (outside - margin) / 2);
-    excess_[at(i)] = static_cast<Real>(excess);
-    const Eigen::Matrix<double, B, B> inverse =
-        factor_diagonal<B>(matrix, i).solve(Eigen::Matrix<double, B, B>::Identity()) / (1 + excess);
-    Eigen::Map<Block<Real, B>> target(&inverse_[at(i) * B * B]);
-    target = inverse.template cast<Real>();
+    Eigen::Map<Block<double, B>> target(&inverse_factors[at(i) * B * B]);
+    target = inverse_factor<B>(matrix, i);
   }
 }
 
-template <int B, int N>
-void GaussSeidel::product(Index first, Index last, std::span<const Real> x, Real* out) const {
-  if constexpr (N == B)
-    row_product<B>(values_.data(), pattern_->columns.data(), first, last, x.data(), out);
-  else
-    wide_row_product(values_.data(), pattern_->columns.data(), first, last, x.data(), out);
+template <int B>
+void GaussSeidel::build_rows(const SparseMatrix& matrix, std::span<const double> inverse_factors,
+                             Index begin, Index end) {
+  using Matrix = Eigen::Matrix<double, B, B>;
+  const SparsityPattern& p = *pattern_;
+  const auto factor = [&](Index row) {
+    return Eigen::Map<const Block<double, B>>(&inverse_factors[at(row) * B * B]);
+  };
+  for (Index i = begin; i < end; ++i) {
+    const auto first = at(p.offsets[at(i)]), last = at(p.offsets[at(i) + 1]);
+    for (auto e = first; e < last; ++e) {
+      Eigen::Map<Eigen::Matrix<Real, B, B>> target(&values_[e * B * B]);
+      target = block_at<B>(matrix, e).template cast<Real>();
+    }
+    const auto columns = p.columns.begin();
+    const auto of_row = [&](Index column) {
+      return static_cast<Index>(
+          std::lower_bound(columns + p.offsets[at(i)], columns + p.offsets[at(i) + 1], column) -
+          columns);
+    };
+    inside_[2 * at(i)] = of_row(begin);
+    inside_[2 * at(i) + 1] = of_row(end);
+    // Weight of the connections to other runs relative to the diagonal: the sum of the Frobenius
+    // norms of D_i^-1/2 A_ij D_j^-1/2.
+    double outside = 0;
+    const auto add_outside = [&](std::size_t e) {
+      const Matrix scaled = factor(i) * block_at<B>(matrix, e) * factor(p.columns[e]).transpose();
+      outside += scaled.norm();
+    };
+    for (auto e = first; e < at(inside_[2 * at(i)]); ++e) add_outside(e);
+    for (auto e = at(inside_[2 * at(i) + 1]); e < last; ++e) add_outside(e);
+    // M + M^T - A = D (2 C - 1) - O is positive definite if 2 C - 1 exceeds the weight of O.
+    constexpr double margin = 0.9;
+    const double excess = std::max(0.0, (outside - margin) / 2);
+    excess_[at(i)] = static_cast<Real>(excess);
+    const Matrix inverse = factor(i).transpose() * factor(i) / (1 + excess);
+    Eigen::Map<Eigen::Matrix<Real, B, B>> target(&inverse_[at(i) * B * B]);
+    target = inverse.template cast<Real>();
+  }
 }
 
 template <int B, int N>
 void GaussSeidel::forward_rows(std::span<const Real> b, std::span<Real> x, Index begin,
                                Index end) const {
   for (auto i = at(begin); i < at(end); ++i) {
-    Real sum[N];
-    product<B, N>(inside_[2 * i], pattern_->diagonal[i], x, sum);
-    for (std::size_t k = 0; k < N; ++k) sum[k] = b[i * N + k] - sum[k];
-    multiply_row<B, N>(&inverse_[i * B * B], sum, &x[i * N]);
+    BlockSum<B, N> sum;
+    add(inside_[2 * i], pattern_->diagonal[i], x, sum);
+    const Row<N> rest = load_row<N>(&b[i * N]) - sum.total();
+    store_row<N>(block_times<B, N>(&inverse_[i * B * B], rest), &x[i * N]);
   }
 }
 
@@ -133,11 +137,14 @@ void GaussSeidel::defect_after_forward(std::span<const Real> x, std::span<Real> 
                                        Index end) const {
   const SparsityPattern& p = *pattern_;
   for (auto i = at(begin); i < at(end); ++i) {
-    Real sum[N], before[N], after[N];
-    product<B, N>(p.diagonal[i], p.diagonal[i] + 1, x, sum);
-    product<B, N>(p.offsets[i], inside_[2 * i], x, before);
-    product<B, N>(p.diagonal[i] + 1, p.offsets[i + 1], x, after);
-    for (std::size_t k = 0; k < N; ++k) r[i * N + k] = excess_[i] * sum[k] - before[k] - after[k];
+    BlockSum<B, N> others;
+    add(p.offsets[i], inside_[2 * i], x, others);
+    add(p.diagonal[i] + 1, p.offsets[i + 1], x, others);
+    Row<N> rest = -others.total();
+    if (excess_[i] > 0)
+      rest += excess_[i] *
+              block_times<B, N>(&values_[at(p.diagonal[i]) * B * B], load_row<N>(&x[i * N]));
+    store_row<N>(rest, &r[i * N]);
   }
 }
 
@@ -146,14 +153,14 @@ void GaussSeidel::backward_rows(std::span<const Real> b, std::span<const Real> b
                                 std::span<Real> x, Index begin, Index end) const {
   const SparsityPattern& p = *pattern_;
   for (auto i = at(end); i-- > at(begin);) {
-    Real inside[N], first[N], last[N], step[N];
-    product<B, N>(inside_[2 * i], inside_[2 * i + 1], x, inside);
+    BlockSum<B, N> sum;
     // Other threads may be changing x in other runs.
-    product<B, N>(p.offsets[i], inside_[2 * i], before, first);
-    product<B, N>(inside_[2 * i + 1], p.offsets[i + 1], before, last);
-    for (std::size_t k = 0; k < N; ++k) inside[k] = b[i * N + k] - first[k] - inside[k] - last[k];
-    multiply_row<B, N>(&inverse_[i * B * B], inside, step);
-    for (std::size_t k = 0; k < N; ++k) x[i * N + k] += step[k];
+    add(p.offsets[i], inside_[2 * i], before, sum);
+    add(inside_[2 * i + 1], p.offsets[i + 1], before, sum);
+    add(inside_[2 * i], inside_[2 * i + 1], x, sum);
+    const Row<N> rest = load_row<N>(&b[i * N]) - sum.total();
+    const Row<N> step = block_times<B, N>(&inverse_[i * B * B], rest);
+    store_row<N>(load_row<N>(&x[i * N]) + step, &x[i * N]);
   }
 }
 
@@ -180,9 +187,9 @@ void GaussSeidel::defect(std::span<const Real> b, std::span<const Real> x, std::
   each_run_of_vectors(threads, [&](auto size, auto count, Index begin, Index end) {
     constexpr std::size_t N = count();
     for (auto i = at(begin); i < at(end); ++i) {
-      Real sum[N];
-      product<size(), count()>(p.offsets[i], p.offsets[i + 1], x, sum);
-      for (std::size_t k = 0; k < N; ++k) r[i * N + k] = b[i * N + k] - sum[k];
+      BlockSum<size(), count()> sum;
+      add(p.offsets[i], p.offsets[i + 1], x, sum);
+      store_row<N>(load_row<N>(&b[i * N]) - sum.total(), &r[i * N]);
     }
   });
 }
@@ -220,8 +227,7 @@ Eigen::MatrixXd dense_matrix(const SparseMatrix& matrix) {
 
 class Multigrid final : public Preconditioner {
  public:
-  /// components: right-hand sides, 1, or 3 for scalar matrices. Inside, three are four numbers
-  /// wide.
+  /// components: right-hand sides, 1, or 3 for scalar matrices. Inside, three are four wide.
   Multigrid(int threads, std::size_t components)
       : threads_(threads), components_(components), width_(components == 1 ? 1 : 4) {}
 
@@ -257,27 +263,38 @@ class Multigrid final : public Preconditioner {
     block_ = finest.block;
   }
 
+  Work work() const override {
+    Work sum;
+    double cycles = 1;
+    for (const Level& level : levels_) {
+      add_work(level, cycles, sum);
+      cycles *= 2;
+    }
+    return sum;
+  }
+
   void apply(std::span<const double> r, std::span<double> z) override {
     Level& finest = levels_.front();
+    const std::size_t numbers = block_ == 1 ? components_ : at(block_);  // a row
+    const std::size_t stride = at(row_stride(block_, width_));
+    const auto n = static_cast<Index>(r.size() / numbers);
     // Scaling by a power of two brings the numbers into the range of single precision without
     // rounding.
-    double largest = 0;
-    for (const double v : r) largest = std::max(largest, std::abs(v));
+    const double largest = largest_of(r);
     const double scale =
         largest > 0 && std::isfinite(largest) ? std::exp2(-std::ilogb(largest)) : 1;
-    const auto n = static_cast<Index>(r.size() / components_);
     const auto each_number = [&](auto&& visit) {
       parallel_for(worthwhile(threads_, r.size()), n, [&](Index begin, Index end) {
         for (auto i = at(begin); i < at(end); ++i)
-          for (std::size_t k = 0; k < components_; ++k)
-            visit(components_ * i + k, at(width_) * i + k);
+          for (std::size_t k = 0; k < numbers; ++k) visit(numbers * i + k, stride * i + k);
       });
     };
     each_number(
         [&](std::size_t i, std::size_t to) { finest.b[to] = static_cast<Real>(r[i] * scale); });
     cycle(0);
+    const double back = 1 / scale;
     each_number([&](std::size_t i, std::size_t from) {
-      z[i] = static_cast<double>(finest.x[from]) / scale;
+      z[i] = static_cast<double>(finest.x[from]) * back;
     });
   }
 
@@ -287,7 +304,7 @@ class Multigrid final : public Preconditioner {
     Level& level = levels_[l];
     const SparseMatrix& matrix = l == 0 ? finest : level.own;
     for (auto* v : {&level.b, &level.x, &level.r, &level.before, &level.first_visit}) {
-      v->resize(at(width_) * at(matrix.rows()));
+      v->resize(at(row_stride(matrix.block, width_)) * at(matrix.pattern->rows()));
     }
     if (matrix.pattern->rows() <= dense_rows) {
       level.dense.compute(dense_matrix(matrix));
@@ -316,15 +333,7 @@ class Multigrid final : public Preconditioner {
   void cycle(std::size_t l) {
     Level& level = levels_[l];
     if (level.dense.rows() > 0) {
-      using Column = Eigen::VectorX<Real>;
-      const Eigen::InnerStride<> stride(width_);
-      for (int k = 0; k < width_; ++k) {
-        const Eigen::Map<const Column, 0, Eigen::InnerStride<>> b(level.b.data() + k,
-                                                                  level.dense.rows(), stride);
-        Eigen::Map<Column, 0, Eigen::InnerStride<>>(level.x.data() + k, level.dense.rows(),
-                                                    stride) =
-            level.dense.solve(b.cast<double>()).cast<Real>();
-      }
+      solve_dense(level);
       return;
     }
     level.smoother.forward(level.b, level.x, level.r, threads_);
@@ -339,6 +348,45 @@ class Multigrid final : public Preconditioner {
     level.smoother.backward(level.b, level.before, level.x, threads_);
   }
 
+  /// Adds the work of some cycles on a level, and, below the finest one, of the defects between.
+  void add_work(const Level& level, double cycles, Work& sum) const {
+    const bool is_finest = &level == &levels_.front();
+    const double size = static_cast<double>(block_) * block_;
+    const double used = block_ == 1 ? static_cast<double>(components_) : 1;  // right-hand sides
+    const double row_bytes = static_cast<double>(at(row_stride(block_, width_)) * sizeof(Real));
+    const double dense = static_cast<double>(level.dense.rows());
+    if (dense > 0) {
+      sum.bytes += cycles * used * dense * dense * sizeof(double);
+      sum.flops += cycles * used * 2 * dense * dense;
+      return;
+    }
+    const SparsityPattern& p = is_finest ? *pattern_ : *level.own.pattern;
+    const double rows = p.rows(), entries = static_cast<double>(p.columns.size());
+    const double entry_bytes = size * sizeof(Real) + sizeof(Index);
+    // Forward with its defect, and backward: the matrix once each; b, x, r and the copy of x.
+    const double sweeps = 2 * cycles + (is_finest ? 0 : cycles / 2);
+    sum.bytes += sweeps * (entries * entry_bytes + rows * (size * sizeof(Real) + 4 * row_bytes));
+    sum.flops += sweeps * used * 2 * size * (entries + rows);
+    if (!level.prolongation) return;
+    const double of_p = static_cast<double>(level.prolongation->entries());
+    sum.bytes += cycles * (2 * of_p * (entry_bytes + sizeof(Index)) + 4 * rows * row_bytes);
+    sum.flops += cycles * used * 4 * size * of_p;
+  }
+
+  void solve_dense(Level& level) const {
+    const std::size_t stride = at(row_stride(block_, width_)), block = at(block_);
+    Eigen::VectorXd column(level.dense.rows());
+    for (std::size_t k = 0; k < at(width_); ++k) {
+      const auto each = [&](auto&& visit) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(column.size()); ++i)
+          visit(column[static_cast<Eigen::Index>(i)], stride * (i / block) + i % block + k);
+      };
+      each([&](double& v, std::size_t place) { v = static_cast<double>(level.b[place]); });
+      level.dense.solveInPlace(column);
+      each([&](double& v, std::size_t place) { level.x[place] = static_cast<Real>(v); });
+    }
+  }
+
   /// A second cycle on the remaining residual (W-cycle). It is cheap because coarsening is fast,
   /// and it keeps the iteration count independent of the number of levels.
   void visit_twice(std::size_t l) {
@@ -346,9 +394,21 @@ class Multigrid final : public Preconditioner {
     Level& level = levels_[l];
     if (level.dense.rows() > 0) return;
     level.smoother.defect(level.b, level.x, level.b, threads_);
-    level.first_visit = level.x;
+    std::swap(level.x, level.first_visit);
     cycle(l);
     for (std::size_t i = 0; i < level.x.size(); ++i) level.x[i] += level.first_visit[i];
+  }
+
+  /// The largest magnitude of some numbers.
+  double largest_of(std::span<const double> r) const {
+    std::vector<double> largest(block_count(static_cast<Index>(r.size())), 0.0);
+    parallel_for(worthwhile(threads_, r.size()), static_cast<Index>(r.size()),
+                 [&](Index begin, Index end) {
+                   double most = 0;
+                   for (auto i = at(begin); i < at(end); ++i) most = std::max(most, std::abs(r[i]));
+                   largest[at(begin / parallel_block)] = most;
+                 });
+    return largest.empty() ? 0 : *std::ranges::max_element(largest);
   }
 
   int threads_;

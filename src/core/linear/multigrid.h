@@ -18,7 +18,8 @@ namespace winslow {
 class GaussSeidel {
  public:
   /// Copies the matrix. Throws NotPositiveDefinite if a block on the diagonal is not. width:
-  /// right-hand sides at once, 1, or 4 for a scalar matrix; vectors then have four numbers a row.
+  /// right-hand sides at once, 1, or 4 for a scalar matrix. Vectors have row_stride(block, width)
+  /// numbers a row.
   void build(const SparseMatrix& matrix, int threads, int width = 1);
 
   /// x = M^-1 b, the forward sweep from x = 0, and r = b - A x.
@@ -39,12 +40,18 @@ class GaussSeidel {
   void each_run(int threads, Visit&& visit) const;
   template <typename Visit>
   void each_run_of_vectors(int threads, Visit&& visit) const;
-  // In the following, N is how many numbers a vector has for each row: B, or the width.
-  /// Row i of A times x over the entries [first, last) of the matrix.
+  // In the following, N is the stride of the vectors.
+  /// Adds the products with the entries [first, last) of the matrix.
   template <int B, int N>
-  void product(Index first, Index last, std::span<const Real> x, Real* out) const;
+  void add(Index first, Index last, std::span<const Real> x, BlockSum<B, N>& sum) const {
+    sum.add(values_.data(), pattern_->columns.data(), first, last, x.data());
+  }
   template <int B>
-  void build_rows(const SparseMatrix& matrix, Index begin, Index end);
+  void factor_rows(const SparseMatrix& matrix, Index begin, Index end,
+                   std::span<double> inverse_factors);
+  template <int B>
+  void build_rows(const SparseMatrix& matrix, std::span<const double> inverse_factors, Index begin,
+                  Index end);
   template <int B, int N>
   void forward_rows(std::span<const Real> b, std::span<Real> x, Index begin, Index end) const;
   template <int B, int N>
@@ -56,8 +63,8 @@ class GaussSeidel {
 
   std::shared_ptr<const SparsityPattern> pattern_;
   int block_ = 1, width_ = 1;
-  std::vector<Real> values_;
-  std::vector<Real> inverse_;  // (D C)^-1, row by row
+  std::vector<Real> values_;   // blocks, column-major, and a tail
+  std::vector<Real> inverse_;  // (D C)^-1, row by row, likewise
   std::vector<Real> excess_;   // C - 1, row by row
   std::vector<Index> inside_;  // #rows by 2: first and end entry of a row within its run
 };

@@ -185,14 +185,15 @@ void ReorderedMatrix::assign(const SparseMatrix& source, int threads) {
   matrix_.block = source.block;
   matrix_.symmetric = source.symmetric;
   matrix_.values.resize(source.values.size());
-  const std::size_t size = at(source.block) * at(source.block);
-  parallel_for(worthwhile(threads, source.values.size()), static_cast<Index>(source_entry_.size()),
-               [&](Index begin, Index end) {
-                 for (auto e = at(begin); e < at(end); ++e) {
-                   std::copy_n(&source.values[at(source_entry_[e]) * size], size,
-                               &matrix_.values[e * size]);
-                 }
-               });
+  with_block(source.block, [&](auto block) {
+    constexpr std::size_t size = block() * block();  // known, so that no function is called to copy
+    const auto entries = static_cast<Index>(source_entry_.size());
+    parallel_for(worthwhile(threads, source.values.size()), entries, [&](Index begin, Index end) {
+      for (auto e = at(begin); e < at(end); ++e)
+        std::memcpy(&matrix_.values[e * size], &source.values[at(source_entry_[e]) * size],
+                    size * sizeof(double));
+    });
+  });
 }
 
 void ReorderedMatrix::adopt(std::shared_ptr<const SparsityPattern> pattern) {

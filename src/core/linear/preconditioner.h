@@ -7,6 +7,12 @@
 
 namespace winslow {
 
+/// What a computation moves and calculates, counted from its data structures: each array once for
+/// each sweep over it, as if no cache held it from one sweep to the next.
+struct Work {
+  double bytes = 0, flops = 0;
+};
+
 /// A cheap linear approximation M of a matrix, for Krylov methods.
 class Preconditioner {
  public:
@@ -18,6 +24,8 @@ class Preconditioner {
   virtual void build(const SparseMatrix& matrix) = 0;
   /// z = M^-1 r. r and z: #scalar rows, different arrays.
   virtual void apply(std::span<const double> r, std::span<double> z) = 0;
+  /// Of one apply(); zeros where nobody counts it.
+  virtual Work work() const { return {}; }
   /// Memory that it keeps from call to call.
   virtual std::size_t bytes() const = 0;
 };

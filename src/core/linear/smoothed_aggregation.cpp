@@ -209,7 +209,7 @@ void Prolongation::transpose() {
 
 void Prolongation::build(const SparseMatrix& matrix, int threads) {
   with_block(block_, [&](auto size) {
-    values_.resize(columns_.size() * at(size() * size()));
+    values_.resize(columns_.size() * at(size() * size()) + block_tail);
     parallel_for(worthwhile(threads, matrix.values.size()), rows_,
                  [&](Index begin, Index end) { build_rows<size()>(matrix, begin, end); });
   });
@@ -260,13 +260,36 @@ void Prolongation::prolong(std::span<const Real> coarse, std::span<Real> x, std:
     constexpr int B = size(), N = count();
     parallel_for(worthwhile(threads, values_.size()), rows_, [&](Index begin, Index end) {
       for (auto i = at(begin); i < at(end); ++i) {
-        for (auto e = at(offsets_[i]); e < at(offsets_[i + 1]); ++e) {
-          multiply_add_row<B, N>(&values_[e * B * B], &coarse[at(columns_[e]) * N], &x[i * N]);
-        }
-        std::copy_n(&x[i * N], N, &copy[i * N]);
+        const Row<N> sum =
+            load_row<N>(&x[i * N]) + interpolated<B, N>(offsets_[i], offsets_[i + 1], coarse);
+        store_row<N>(sum, &x[i * N]);
+        store_row<N>(sum, &copy[i * N]);
       }
     });
   });
+}
+
+/// A row of P, its entries [first, last), times coarse numbers.
+template <int B, int N>
+Row<N> Prolongation::interpolated(Index first, Index last, std::span<const Real> coarse) const {
+  Row<N> sums[B]{};  // B > 1: of the products of a row of the block, number by number
+  for (auto e = at(first); e < at(last); ++e) {
+    const Row<N> from = load_row<N>(&coarse[at(columns_[e]) * N]);
+    const Real* p = &values_[e * B * B];
+    for (std::size_t r = 0; r < B; ++r) {
+      if constexpr (B == 1)
+        sums[r] += p[0] * from;
+      else
+        sums[r] += load_row<N>(p + r * B) * from;
+    }
+  }
+  if constexpr (B == 1) return sums[0];
+  Row<N> out{};
+  for (int r = 0; r < B; ++r) {
+    out[r] = sums[r][0];
+    for (int c = 1; c < B; ++c) out[r] += sums[r][c];
+  }
+  return out;
 }
 
 void Prolongation::restrict(std::span<const Real> r, std::span<Real> coarse, int threads,
@@ -278,19 +301,12 @@ void Prolongation::restrict(std::span<const Real> r, std::span<Real> coarse, int
         worthwhile(threads, values_.size()), coarse_rows(),
         [&](Index begin, Index end) {
           for (auto a = at(begin); a < at(end); ++a) {
-            Real sum[N]{};
-            for (auto t = at(transposed_offsets_[a]); t < at(transposed_offsets_[a + 1]); ++t) {
-              const Real* p = &values_[at(transposed_entries_[t]) * B * B];
-              const Real* from = &r[at(transposed_rows_[t]) * N];
-              if constexpr (N != B) {
-                for (std::size_t c = 0; c < N; ++c) sum[c] += p[0] * from[c];
-              } else {
-                for (std::size_t k = 0; k < B; ++k) {
-                  for (std::size_t c = 0; c < B; ++c) sum[c] += p[k * B + c] * from[k];
-                }
-              }
-            }
-            std::copy_n(sum, N, &coarse[a * N]);
+            // The rows of a block are the columns of its transpose.
+            BlockSum<size(), count()> sum;
+            for (auto t = at(transposed_offsets_[a]); t < at(transposed_offsets_[a + 1]); ++t)
+              sum.add(&values_[at(transposed_entries_[t]) * B * B],
+                      &r[at(transposed_rows_[t]) * N]);
+            store_row<N>(sum.total(), &coarse[a * N]);
           }
         },
         coarse_block);

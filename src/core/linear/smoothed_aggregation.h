@@ -39,12 +39,14 @@ class Prolongation {
   void build(const SparseMatrix& matrix, int threads);
 
   /// x += P coarse; copies the result into `copy`. width: right-hand sides at once, 1, or 4 of a
-  /// scalar matrix, which have four numbers a row.
+  /// scalar matrix. Vectors have row_stride(block, width) numbers a row.
   void prolong(std::span<const Real> coarse, std::span<Real> x, std::span<Real> copy, int threads,
                int width = 1) const;
   /// coarse = P^T r.
   void restrict(std::span<const Real> r, std::span<Real> coarse, int threads, int width = 1) const;
 
+  /// How many blocks P has.
+  std::size_t entries() const { return columns_.size(); }
   std::size_t bytes() const {
     return bytes_of(strong_, offsets_, columns_, own_, entry_, values_) +
            bytes_of(transposed_offsets_, transposed_rows_, transposed_entries_);
@@ -63,6 +65,8 @@ class Prolongation {
   void build_rows(const SparseMatrix& matrix, Index begin, Index end);
   std::shared_ptr<const SparsityPattern> galerkin_pattern(const SparsityPattern& fine,
                                                           int threads) const;
+  template <int B, int N>
+  Row<N> interpolated(Index first, Index last, std::span<const Real> coarse) const;
   template <int B>
   void galerkin_rows(const SparseMatrix& matrix, SparseMatrix& coarse, Index begin,
                      Index end) const;
@@ -75,7 +79,7 @@ class Prolongation {
   std::vector<Index> own_;      // #rows: entry of the row's own aggregate, -1 for none
   std::vector<Index>
       entry_;  // #entries of the matrix: the entry of P to which it contributes, -1 if weak
-  std::vector<Real> values_;
+  std::vector<Real> values_;               // blocks, row-major, and a tail
   std::vector<Index> transposed_offsets_;  // #aggregates + 1
   std::vector<Index> transposed_rows_, transposed_entries_;
 };

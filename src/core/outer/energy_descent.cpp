@@ -26,11 +26,16 @@ double inner_product(const A* a, const B* b, std::size_t count) {
   return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
 }
 
-/// body(first, count) for the blocks of a vector, on several threads.
+/// body(first, count) for short pieces of a vector, on several threads; those of a block in order.
+/// Several vectors' pieces fit into the fastest cache.
 template <typename Body>
-void each_block(int threads, std::size_t size, Body&& body) {
-  parallel_for(worthwhile(threads, size), static_cast<Index>(size),
-               [&](Index begin, Index end) { body(at(begin), at(end) - at(begin)); });
+void each_piece(int threads, std::size_t size, Body&& body) {
+  constexpr Index longest = 1024;
+  static_assert(parallel_block % longest == 0);
+  parallel_for(worthwhile(threads, size), static_cast<Index>(size), [&](Index begin, Index end) {
+    for (Index first = begin; first < end; first += longest)
+      body(at(first), at(std::min(longest, end - first)));
+  });
 }
 
 }  // namespace
@@ -41,10 +46,10 @@ std::vector<double> CurvatureMemory::products(std::span<const double> g_before,
                                               std::span<const double> g, const Pair& last) const {
   const std::size_t count = 2 * pairs_.size() + 4;
   std::vector<double> parts(count * block_count(static_cast<Index>(g.size())), 0.0);
-  each_block(threads_, g.size(), [&](std::size_t first, std::size_t size) {
+  each_piece(threads_, g.size(), [&](std::size_t first, std::size_t size) {
     double* out = &parts[count * (first / at(parallel_block))];
     const auto with = [&](const std::vector<float>& v, std::span<const double> gradient) {
-      *out++ = inner_product(&v[first], &gradient[first], size);
+      *out++ += inner_product(&v[first], &gradient[first], size);
     };
     for (const Pair& pair : pairs_) {
       with(pair.s, g);
@@ -66,7 +71,7 @@ void CurvatureMemory::add(std::span<const double> s, std::span<const double> g_b
   Pair last = std::move(spare_);
   last.s.resize(s.size());
   last.z.resize(s.size());
-  each_block(threads_, s.size(), [&](std::size_t first, std::size_t size) {
+  each_piece(threads_, s.size(), [&](std::size_t first, std::size_t size) {
     for (std::size_t i = first; i < first + size; ++i) {
       last.s[i] = static_cast<float>(s[i]);
       last.z[i] = static_cast<float>(mg[i] - mg_before[i]);
@@ -118,7 +123,7 @@ void CurvatureMemory::direction(std::span<const double> mg, std::span<double> ou
     for (std::size_t j = 0; j < i; ++j) sum += c[j] * pairs_[j].sy[i - j];
     c[i] = a[i] - sum / pairs_[i].sy[0];
   }
-  each_block(threads_, out.size(), [&](std::size_t first, std::size_t size) {
+  each_piece(threads_, out.size(), [&](std::size_t first, std::size_t size) {
     for (std::size_t i = first; i < first + size; ++i) out[i] = -gamma * mg[i];
     for (std::size_t k = 0; k < count; ++k) {
       const double of_z = gamma * a[k], of_s = -c[k];
@@ -148,7 +153,8 @@ void EnergyDescent::set_problem(std::shared_ptr<const EnergyProblem> problem) {
   form_ = problem_->first_order();
   if (!form_) throw UsageError("the energy has no form for first-order methods");
   const auto rows = at(form_->rows());
-  for (auto* v : {&gradient_, &preconditioned_, &direction_, &places_, &trial_.gradient})
+  for (auto* v : {&gradient_, &preconditioned_, &direction_, &places_, &trial_.gradient, &way_,
+                  &preconditioned_before_})
     v->resize(3 * rows);
   scales_.resize(rows);
   rates_.resize(problem_->unknowns());
@@ -158,7 +164,9 @@ void EnergyDescent::rest() {
   memory_.release();
   laplacian_.values = {};
   trial_ = {};
-  for (auto* v : {&gradient_, &preconditioned_, &direction_, &places_, &scales_, &rates_}) *v = {};
+  for (auto* v : {&gradient_, &preconditioned_, &direction_, &places_, &way_,
+                  &preconditioned_before_, &scales_, &rates_})
+    *v = {};
 }
 
 /// The largest scaled residual, with the scales of the mesh where these were found.
@@ -263,13 +271,14 @@ void EnergyDescent::take_up(Coordinates& x) {
   if (!form_->is_barrier()) record(trial_.validity);
   record_.damping = trial_.t;
   record_.largest_move = trial_.move;
-  std::vector<double> way(places_.size()), before(preconditioned_.size());
-  std::swap(places_, way);
-  std::swap(preconditioned_, before);
+  std::swap(places_, way_);
+  std::swap(preconditioned_, preconditioned_before_);
   form_->positions(x, places_);
-  for (std::size_t i = 0; i < way.size(); ++i) way[i] = places_[i] - way[i];
+  each_piece(options_.threads, way_.size(), [&](std::size_t first, std::size_t size) {
+    for (std::size_t i = first; i < first + size; ++i) way_[i] = places_[i] - way_[i];
+  });
   preconditioner_->apply(gradient_, preconditioned_);
-  memory_.add(way, trial_.gradient, before, gradient_, preconditioned_);
+  memory_.add(way_, trial_.gradient, preconditioned_before_, gradient_, preconditioned_);
   ++since_built_;
   record_.residual = scaled_residual();
 }

@@ -97,9 +97,9 @@ class EnergyDescent final : public OuterSolver {
   void count(MemoryUse& use) const override {
     use.matrix += bytes_of(laplacian_.values);
     use.preconditioner += preconditioner_->bytes();
-    use.vectors +=
-        memory_.bytes() + trial_.x.bytes() +
-        bytes_of(gradient_, preconditioned_, direction_, places_, rates_, scales_, trial_.gradient);
+    use.vectors += memory_.bytes() + trial_.x.bytes() +
+                   bytes_of(gradient_, preconditioned_, direction_, places_, way_,
+                            preconditioned_before_, rates_, scales_, trial_.gradient);
   }
   /// The method, for reports: "L-BFGS, smoothed aggregation multigrid (4 levels)".
   std::string description() const { return "L-BFGS, " + preconditioner_->description(); }
@@ -133,8 +133,9 @@ class EnergyDescent final : public OuterSolver {
   double energy_ = 0, round_off_ = 0;
   // #rows by 3
   std::vector<double> gradient_, preconditioned_, direction_, places_;
-  std::vector<double> rates_;   // #unknowns
-  std::vector<double> scales_;  // #rows, for the mesh of the last assess()
+  std::vector<double> way_, preconditioned_before_;  // of the last step
+  std::vector<double> rates_;                        // #unknowns
+  std::vector<double> scales_;                       // #rows, for the mesh of the last assess()
   Trial trial_;
   int since_built_ = -1;  // iterations with this preconditioner; negative: there is none yet
   double built_at_ = 0;   // scaled residual for which it was made

@@ -135,6 +135,8 @@ TEST_CASE("in space residual and linearisation agree, and so do one and two thre
   const ResidualNorms norms = one.residual(mesh.coordinates, r3);
   CHECK(r1 == r2);
   CHECK(r1 == r3);
+  CHECK(two.residual(mesh.coordinates, r2).max == norms.max);
+  CHECK(r2 == r3);
   CHECK(h1.values == h2.values);
   CHECK(l1.energy == l2.energy);
   CHECK(norms.max == doctest::Approx(l1.norms.max).epsilon(1e-12));
@@ -295,6 +297,12 @@ TEST_CASE("both versions of the loops of first-order steps over tetrahedra give 
     CHECK(energy == doctest::Approx(portable.energy(data, 0, count)).epsilon(1e-13));
     CHECK(energy == fast->add_gradients(data, x.data(), data.nodes, 0, count, b.data()));
     CHECK(a == b);
+    constexpr std::size_t numbers = distortion::SimplexLayout<3>::scale;
+    a.assign(numbers * at(mesh.coordinates.size()), 0);
+    b = a;
+    portable.add_scales(data, x.data(), data.nodes, 0, count, a.data());
+    fast->add_scales(data, x.data(), data.nodes, 0, count, b.data());
+    CHECK(a == b);
     std::vector<Index> list(targets.cells.size());
     for (Index i = 0; i < count; ++i) list[at(i)] = count - 1 - i;
     constexpr std::size_t size = distortion::SimplexLayout<3>::scalar_sum;
@@ -305,6 +313,76 @@ TEST_CASE("both versions of the loops of first-order steps over tetrahedra give 
     a.resize(size * list.size());
     b.resize(a.size());
     CHECK(a == b);
+  }
+}
+
+TEST_CASE("the gradients of every number of tetrahedra are those of each alone") {
+  // Several packs of cells go side by side, and the last ones are not full.
+  const Mesh mesh = shaken_cube(Volumes::tetrahedra);
+  const auto targets = volume_targets(*mesh.topology, nullptr, TargetBlend::regular(), nullptr, 1);
+  distortion::SimplexData data;
+  data.offsets = targets.offsets.data();
+  data.terms = &targets.terms.front().a11;
+  data.penalty = distortion::PenaltyFunction(PenaltyOptions{}).constants();
+  std::vector<double> x(4 * at(mesh.coordinates.size()), 0.0);
+  for (Index node = 0; node < mesh.coordinates.size(); ++node)
+    Eigen::Map<Vec3>(x.data() + 4 * at(node)) = mesh.coordinates.xyz(node);
+  const auto& kernel = distortion::fastest_kernel<3>();
+  std::vector<double> one_by_one(x.size(), 0.0);
+  double energy = 0;
+  for (Index count = 0; count <= 35; ++count) {
+    CAPTURE(count);
+    std::vector<double> sums(x.size(), 0.0);
+    const Index* corners = targets.cells.front().data();
+    CHECK(kernel.add_gradients(data, x.data(), corners, 0, count, sums.data()) ==
+          doctest::Approx(energy).epsilon(1e-13));
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      CHECK(sums[i] == doctest::Approx(one_by_one[i]).epsilon(1e-12).scale(1e-3));
+    energy += kernel.add_gradients(data, x.data(), targets.cells[at(count)].data(), count,
+                                   count + 1, one_by_one.data());
+  }
+  // An inverted cell among them, wherever it is.
+  for (Index inverted = 0; inverted < 35; ++inverted) {
+    auto cells = targets.cells;
+    std::swap(cells[at(inverted)][0], cells[at(inverted)][1]);
+    std::vector<double> sums(x.size(), 0.0);
+    CHECK(
+        std::isinf(kernel.add_gradients(data, x.data(), cells.front().data(), 0, 35, sums.data())));
+  }
+}
+
+TEST_CASE("the scales of first-order steps are those of the Hessian and the edges") {
+  for (const Volumes volumes : all_volumes) {
+    for (const TargetBlend& blend : {TargetBlend::regular(), TargetBlend::keeping()}) {
+      CAPTURE(name_of(volumes));
+      CAPTURE(blend.keep);
+      const Mesh mesh = shaken_cube(volumes);
+      const Coordinates& x = mesh.coordinates;
+      const VolumeWinslow form = form_of(mesh, blend, PenaltyOptions{});
+      std::vector<double> residual(form.unknowns());
+      SparseMatrix hessian;
+      form.linearise(x, Curvature::exact, hessian, residual);
+      std::vector<double> edges(at(x.size()), 0.0), counts(edges);
+      for (const auto& cell : form.shapes().cells) {
+        for (const Index a : cell) {
+          for (const Index b : cell) edges[at(a)] += (x.xyz(a) - x.xyz(b)).norm();
+          counts[at(a)] += 3;
+        }
+      }
+      const auto nodes = mesh.topology->interior_nodes();
+      REQUIRE(3 * nodes.size() == residual.size());
+      const auto first_order = form.first_order();
+      std::vector<double> scales(nodes.size()), vectors(residual.size()), in_rows(vectors);
+      first_order->scales(x, scales);
+      for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = scales[i / 3];
+      first_order->rates(x, vectors, in_rows);
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const double* block = &hessian.values[9 * at(hessian.pattern->diagonal[i])];
+        const double scale =
+            (block[0] + block[4] + block[8]) / 3 * edges[at(nodes[i])] / counts[at(nodes[i])];
+        CHECK(in_rows[3 * i] == doctest::Approx(scale).epsilon(1e-11));
+      }
+    }
   }
 }
 

@@ -85,6 +85,106 @@ TEST_CASE("the preconditioners for conjugate gradients are symmetric and positiv
   }
 }
 
+TEST_CASE("the sweeps of Gauss-Seidel are those of the dense matrix") {
+  Random random(2);
+  const Mesh mesh = make_mesh(square_with_hole(12, Cells::triangles));
+  for (const auto& shape : {std::pair{1, 1}, {1, 4}, {2, 1}, {3, 1}}) {
+    const int block = shape.first, width = shape.second;
+    CAPTURE(block);
+    CAPTURE(width);
+    const SparseSystem system = springs(mesh, random, block, 0.1);
+    GaussSeidel smoother;
+    smoother.build(system.matrix, 1, width);
+    const Dense a = dense_matrix(system.matrix);
+    Dense m = a;  // all rows are in one run
+    for (Index i = 0; i < a.rows(); ++i)
+      for (Index j = 0; j < a.cols(); ++j)
+        if (j / block > i / block) m(i, j) = 0;
+    const std::size_t stride = at(row_stride(block, width));
+    const auto rows = at(system.matrix.pattern->rows());
+    std::vector<Real> b(stride * rows), x(b), r(b);
+    for (Real& v : b) v = static_cast<Real>(random.uniform(-1, 1));
+    // Column k of a vector: its numbers in the block, or right-hand side k.
+    const auto column = [&](const std::vector<Real>& v, int side) {
+      Eigen::VectorXd out(a.rows());
+      for (Index i = 0; i < a.rows(); ++i)
+        out[i] = static_cast<double>(v[stride * at(i / block) + at(i % block + side)]);
+      return out;
+    };
+    smoother.forward(b, x, r, 1);
+    for (int side = 0; side < width; ++side) {
+      const Eigen::VectorXd expected = m.partialPivLu().solve(column(b, side));
+      CHECK((column(x, side) - expected).norm() < 1e-5 * expected.norm());
+      const Eigen::VectorXd rest = column(b, side) - a * expected;
+      CHECK((column(r, side) - rest).norm() < 1e-5 * column(b, side).norm());
+    }
+    for (Real& v : x) v = static_cast<Real>(random.uniform(-1, 1));
+    const std::vector<Real> before = x;
+    smoother.defect(b, x, r, 1);
+    smoother.backward(b, before, x, 1);
+    for (int side = 0; side < width; ++side) {
+      const Eigen::VectorXd rest = column(b, side) - a * column(before, side);
+      CHECK((column(r, side) - rest).norm() < 1e-5 * rest.norm());
+      const Eigen::VectorXd expected =
+          column(before, side) + m.transpose().partialPivLu().solve(rest);
+      CHECK((column(x, side) - expected).norm() < 1e-5 * expected.norm());
+    }
+  }
+}
+
+TEST_CASE("the defect after a forward sweep is right between runs, too") {
+  Random random(3);
+  const Mesh mesh = make_mesh(square(80, Cells::triangles));
+  for (const auto& shape : {std::pair{1, 1}, {1, 4}, {2, 1}, {3, 1}}) {
+    const int block = shape.first, width = shape.second;
+    CAPTURE(block);
+    CAPTURE(width);
+    // Strong connections between runs: the sweep is damped there.
+    const SparseSystem system = springs(mesh, random, block, 1e-3);
+    REQUIRE(system.matrix.pattern->rows() > 4096);
+    std::vector<Real> single;
+    for (const int threads : {1, 2}) {
+      GaussSeidel smoother;
+      smoother.build(system.matrix, threads, width);
+      std::vector<Real> b(at(row_stride(block, width)) * at(system.matrix.pattern->rows())), x(b),
+          r(b), defect(b);
+      for (std::size_t i = 0; i < b.size(); ++i)
+        b[i] = static_cast<Real>(std::sin(1.0 + 3.7 * double(i)));
+      smoother.forward(b, x, r, threads);
+      smoother.defect(b, x, defect, threads);
+      for (std::size_t i = 0; i < r.size(); ++i) {
+        if (block == 3 && i % 4 == 3) continue;
+        CHECK(static_cast<double>(r[i]) ==
+              doctest::Approx(static_cast<double>(defect[i])).epsilon(1e-4).scale(1));
+      }
+      if (single.empty()) single = x;
+      CHECK(x == single);
+    }
+  }
+}
+
+TEST_CASE("multigrid of components gives what multigrid gives for each") {
+  Random random(4);
+  const SparseSystem system = springs(make_mesh(square(60, Cells::triangles)), random, 1, 0.1);
+  const auto n = at(system.matrix.rows());
+  const auto together = make_multigrid_of_components(2), alone = make_multigrid(2);
+  together->build(system.matrix);
+  alone->build(system.matrix);
+  std::vector<double> r(3 * n), z(r), one(n), expected(n);
+  for (double& v : r) v = random.uniform(-1, 1);
+  together->apply(r, z);
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < n; ++i) one[i] = r[3 * i + k];
+    alone->apply(one, expected);
+    for (std::size_t i = 0; i < n; ++i) one[i] = z[3 * i + k];
+    CHECK(one == expected);
+  }
+  // Three right-hand sides cost less than three times one: the matrix is read once.
+  CHECK(together->work().flops == doctest::Approx(3 * alone->work().flops));
+  CHECK(together->work().bytes < 2.5 * alone->work().bytes);
+  CHECK(alone->work().bytes > 2 * 8.0 * static_cast<double>(system.matrix.pattern->columns.size()));
+}
+
 TEST_CASE("iterations of multigrid hardly depend on the number of unknowns") {
   for (const double stretch : {1.0, 0.02}) {
     CAPTURE(stretch);

@@ -117,3 +117,105 @@ TEST_CASE("a reordered matrix is the same operator") {
     CHECK((as_matrix(system, y) - expected).norm() < 1e-13 * expected.norm());
   }
 }
+
+namespace {
+
+/// The numbers of a dense vector in the rows of a vector of multigrid.
+std::vector<Real> in_rows(const Eigen::VectorXd& v, int block) {
+  const std::size_t stride = at(row_stride(block, 1)), size = at(block);
+  std::vector<Real> out(stride * (static_cast<std::size_t>(v.size()) / size), Real{0});
+  for (Eigen::Index i = 0; i < v.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    out[stride * (k / size) + k % size] = static_cast<Real>(v[i]);
+  }
+  return out;
+}
+Eigen::VectorXd out_of_rows(const std::vector<Real>& rows, int block) {
+  const std::size_t stride = at(row_stride(block, 1)), size = at(block);
+  Eigen::VectorXd out(static_cast<Eigen::Index>(rows.size() / stride * size));
+  for (Eigen::Index i = 0; i < out.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    out[i] = static_cast<double>(rows[stride * (k / size) + k % size]);
+  }
+  return out;
+}
+
+/// An interpolation as a dense matrix, column by column.
+Dense dense_of(const Prolongation& prolongation, const SparseMatrix& matrix) {
+  const Index coarse = prolongation.coarse_rows() * matrix.block;
+  Dense result(matrix.rows(), coarse);
+  for (Index c = 0; c < coarse; ++c) {
+    std::vector<Real> x = in_rows(Eigen::VectorXd::Zero(matrix.rows()), matrix.block), copy(x);
+    prolongation.prolong(in_rows(Eigen::VectorXd::Unit(coarse, c), matrix.block), x, copy, 1);
+    CHECK(copy == x);
+    result.col(c) = out_of_rows(x, matrix.block);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("restriction is the transposed interpolation, and the coarse matrix their product") {
+  Random random(7);
+  // More aggregates than are treated in one block.
+  const Mesh mesh = make_mesh(square_with_hole(56, Cells::triangles));
+  for (const int block : {1, 2, 3}) {
+    CAPTURE(block);
+    const SparseSystem system = springs(mesh, random, block, 0.1);
+    Prolongation prolongation(system.matrix, 0.04);
+    REQUIRE(prolongation.coarse_rows() > 256);
+    prolongation.build(system.matrix, 2);
+    const Dense p = dense_of(prolongation, system.matrix);
+    Eigen::VectorXd r(system.matrix.rows());
+    for (double& v : r) v = random.uniform(-1, 1);
+    std::vector<Real> restricted = in_rows(Eigen::VectorXd::Zero(p.cols()), block);
+    prolongation.restrict(in_rows(r, block), restricted, 2);
+    const Eigen::VectorXd expected = p.transpose() * r;
+    CHECK((out_of_rows(restricted, block) - expected).norm() < 1e-5 * expected.norm());
+    SparseMatrix coarse;
+    for (int round = 0; round < 2; ++round) prolongation.galerkin(system.matrix, coarse, 1);
+    Dense product = Dense::Zero(system.matrix.rows(), p.cols());  // A P
+    const SparsityPattern& pattern = *system.matrix.pattern;
+    const Index size = block * block;
+    for (Index i = 0; i < pattern.rows(); ++i) {
+      for (Index e = pattern.offsets[at(i)]; e < pattern.offsets[at(i) + 1]; ++e) {
+        const Eigen::Map<const Dense, 0, Eigen::Stride<1, Eigen::Dynamic>> a(
+            &system.matrix.values[at(e * size)], block, block,
+            Eigen::Stride<1, Eigen::Dynamic>(1, block));
+        product.middleRows(i * block, block) +=
+            a * p.middleRows(pattern.columns[at(e)] * block, block);
+      }
+    }
+    const Dense whole = p.transpose() * product;
+    CHECK((dense_matrix(coarse) - whole).norm() < 1e-12 * whole.norm());
+    SparseMatrix threaded;
+    prolongation.galerkin(system.matrix, threaded, 2);
+    CHECK(threaded.values == coarse.values);
+  }
+}
+
+TEST_CASE("several right-hand sides are interpolated and restricted as each alone") {
+  Random random(8);
+  const SparseSystem system =
+      springs(make_mesh(square_with_hole(30, Cells::triangles)), random, 1, 0.1);
+  Prolongation prolongation(system.matrix, 0.04);
+  prolongation.build(system.matrix, 1);
+  const auto fine = at(system.matrix.rows()), coarse = at(prolongation.coarse_rows());
+  std::vector<Real> r(4 * fine), x(4 * fine), copy(x), c(4 * coarse);
+  for (Real& v : r) v = static_cast<Real>(random.uniform(-1, 1));
+  for (Real& v : x) v = static_cast<Real>(random.uniform(-1, 1));
+  const std::vector<Real> start = x;
+  prolongation.restrict(r, c, 1, 4);
+  prolongation.prolong(c, x, copy, 1, 4);
+  for (std::size_t k = 0; k < 4; ++k) {
+    std::vector<Real> one(fine), one_x(fine), one_copy(fine), one_c(coarse);
+    for (std::size_t i = 0; i < fine; ++i) {
+      one[i] = r[4 * i + k];
+      one_x[i] = start[4 * i + k];
+    }
+    prolongation.restrict(one, one_c, 1);
+    for (std::size_t a = 0; a < coarse; ++a) CHECK(c[4 * a + k] == one_c[a]);
+    prolongation.prolong(one_c, one_x, one_copy, 1);
+    for (std::size_t i = 0; i < fine; ++i) CHECK(x[4 * i + k] == one_x[i]);
+  }
+}
