@@ -48,20 +48,6 @@ std::vector<const Motion*> single_bodies(const Motion& motion) {
   return out;
 }
 
-/// The nodes of a body in space, and how far each of them moves.
-std::vector<std::pair<Index, Vec3>> displacements_of(const Motion& body, const Coordinates& x) {
-  Coordinates end = x;
-  body.apply(x, 1, end);
-  std::vector<std::pair<Index, Vec3>> out;
-  for (const Index node : body.nodes()) out.emplace_back(node, end.xyz(node) - x.xyz(node));
-  return out;
-}
-
-void scale_fields(std::span<std::vector<double>> fields, double factor) {
-  for (auto& field : fields)
-    for (double& value : field) value *= factor;
-}
-
 /// Flattens the fields of bodies (each #nodes) where they are 0 and 1.
 void make_steps(std::vector<std::vector<double>>& u) {
   for (std::size_t node = 0; node < u.front().size(); ++node) {
@@ -80,54 +66,62 @@ void make_steps(std::vector<std::vector<double>>& u) {
 
 std::optional<Twist> Twist::find(const NodeClasses& classes, const Coordinates& x,
                                  const Motion& motion, int threads) {
-  const Topology& topology = classes.topology();
-  const bool in_space = topology.cell_dimension() == 3;
-  std::vector<const Motion*> rigid, others;
-  for (const Motion* body : single_bodies(motion))
-    (body->rigid() != nullptr ? rigid : others).push_back(body);
-  if (!in_space && !others.empty()) return std::nullopt;
-  const std::size_t weights = rigid.size(), components = others.empty() ? 0 : 3;
-  const Index count = topology.node_count();
-  // A first guess, exact where nothing but one rigid body holds the mesh.
-  const double share = weights > 0 ? 1 / static_cast<double>(weights) : 0;
-  std::vector<std::vector<double>> u(weights, std::vector<double>(at(count), share));
-  u.resize(weights + components, std::vector<double>(at(count), 0));
-  std::vector<bool> known(at(count));
-  const auto set_known = [&](Index node, std::size_t field) {
-    known[at(node)] = true;
-    for (std::size_t f = 0; f < u.size(); ++f) u[f][at(node)] = f == field ? 1 : 0;
-  };
-  const std::size_t none = u.size();
-  for (Index node = 0; node < count; ++node)
-    if (classes[node] == NodeClass::fixed || !topology.used(node)) set_known(node, none);
-  for (std::size_t b = 0; b < weights; ++b)
-    for (const Index node : rigid[b]->nodes()) set_known(node, b);
-  // Displacements are solved for as shares of the largest one, so that they count like weights.
-  double largest = 0;
-  for (const Motion* body : others) {
-    for (const auto& [node, way] : displacements_of(*body, x)) {
-      set_known(node, none);
-      for (std::size_t c = 0; c < 3; ++c) u[weights + c][at(node)] = way[static_cast<int>(c)];
-      largest = std::max(largest, way.norm());
-    }
-  }
-  scale_fields(std::span(u).subspan(weights), largest > 0 ? 1 / largest : 0);
-  LaplaceEquation equation(topology, x, known, threads);
-  equation.solve({.exponent = in_space ? 3.0 : 2.0}, u);
-  scale_fields(std::span(u).subspan(weights), largest);
-
+  const auto bodies = single_bodies(motion);
   Twist twist(classes, body_centre(body_box(x, motion.nodes())));
-  if (components > 0) {
-    twist.displacements_.resize(at(count));
-    for (std::size_t node = 0; node < at(count); ++node)
-      twist.displacements_[node] =
-          Vec3(u[weights][node], u[weights + 1][node], u[weights + 2][node]);
-    u.resize(weights);
-  }
-  if (!in_space) make_steps(u);
-  for (std::size_t b = 0; b < weights; ++b)
-    twist.bodies_.push_back({*rigid[b]->rigid(), std::move(u[b])});
+  if (std::ranges::all_of(bodies, [](const Motion* body) { return body->rigid() != nullptr; }))
+    twist.find_weights(x, bodies, threads);
+  else if (classes.topology().cell_dimension() == 3)
+    twist.find_displacements(x, motion.of_bodies(), threads);
+  else
+    return std::nullopt;
   return twist;
+}
+
+/// Whether a node is fixed, or belongs to no element.
+bool Twist::stays(Index node) const {
+  return classes_[node] == NodeClass::fixed || !classes_.topology().used(node);
+}
+
+void Twist::find_weights(const Coordinates& x, const std::vector<const Motion*>& bodies,
+                         int threads) {
+  const Topology& topology = classes_.topology();
+  const Index count = topology.node_count();
+  // A first guess, exact where nothing but one body holds the mesh.
+  const double share = 1 / static_cast<double>(bodies.size());
+  std::vector<std::vector<double>> u(bodies.size(), std::vector<double>(at(count), share));
+  std::vector<bool> known(at(count));
+  const auto set_known = [&](Index node, std::size_t body) {
+    known[at(node)] = true;
+    for (std::size_t b = 0; b < u.size(); ++b) u[b][at(node)] = b == body ? 1 : 0;
+  };
+  for (Index node = 0; node < count; ++node)
+    if (stays(node)) set_known(node, u.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (const Index node : bodies[b]->nodes()) set_known(node, b);
+  const bool in_space = topology.cell_dimension() == 3;
+  LaplaceEquation(topology, x, known, threads).solve({.exponent = in_space ? 3.0 : 2.0}, u);
+  if (!in_space) make_steps(u);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    bodies_.push_back({*bodies[b]->rigid(), std::move(u[b])});
+}
+
+void Twist::find_displacements(const Coordinates& x, const Motion& motion, int threads) {
+  const Topology& topology = classes_.topology();
+  const Index count = topology.node_count();
+  std::vector<std::vector<double>> u(3, std::vector<double>(at(count), 0.0));
+  std::vector<bool> known(at(count));
+  for (Index node = 0; node < count; ++node) known[at(node)] = stays(node);
+  Coordinates end = x;
+  motion.apply(x, 1, end);
+  for (const Index node : motion.nodes()) {
+    known[at(node)] = true;
+    const Vec3 way = end.xyz(node) - x.xyz(node);
+    for (std::size_t c = 0; c < 3; ++c) u[c][at(node)] = way[static_cast<int>(c)];
+  }
+  LaplaceEquation(topology, x, known, threads).solve({.exponent = 3}, u);
+  displacements_.resize(at(count));
+  for (std::size_t node = 0; node < at(count); ++node)
+    displacements_[node] = Vec3(u[0][node], u[1][node], u[2][node]);
 }
 
 void Twist::carry(double from, double to, Coordinates& x) const {

@@ -9,8 +9,8 @@ namespace winslow {
 ///
 ///     if (const auto twist = Twist::find(classes, x, motion, threads)) twist->carry(0, 1, x);
 ///
-/// Each node follows a screw motion. Its twist is the sum of those of the rigid bodies times the
-/// weights of the node. For each body, u solves the p-Laplace equation on the mesh
+/// With rigid bodies each node follows a screw motion. Its twist is the sum of those of the bodies
+/// times the weights of the node. For each body, u solves the p-Laplace equation on the mesh
 /// (LaplaceEquation) with u = 1 on the body, and u = 0 on other bodies and on all fixed nodes. If
 /// nothing is fixed, the weights add up to 1.
 ///
@@ -20,8 +20,9 @@ namespace winslow {
 /// S(U) S(u) over the sum of S(u). Near bodies the gradient of these weights vanishes, so layers
 /// there move as rigid bodies.
 ///
-/// Bodies that deform, as by tables of displacements, add a displacement: the field that is theirs
-/// on them and 0 on all other bodies and fixed nodes, by the p-Laplace equation as well.
+/// Where a body deforms, as by a table of displacements, all nodes move in straight lines. Their
+/// displacements solve the p-Laplace equation, p = 3, with those of the bodies on the bodies, and 0
+/// on fixed nodes.
 class Twist {
  public:
   /// x: a valid mesh before the motion. None in the plane unless all bodies are rigid: there the
@@ -45,10 +46,14 @@ class Twist {
 
   Twist(const NodeClasses& classes, const Vec3& origin) : classes_(classes), origin_(origin) {}
 
+  bool stays(Index node) const;
+  void find_weights(const Coordinates& x, const std::vector<const Motion*>& bodies, int threads);
+  void find_displacements(const Coordinates& x, const Motion& motion, int threads);
+
   const NodeClasses& classes_;
   Vec3 origin_;                      // to which the twists refer
-  std::vector<Body> bodies_;         // rigid ones
-  std::vector<Vec3> displacements_;  // #nodes, by the other bodies in the whole motion; or none
+  std::vector<Body> bodies_;         // if all are rigid
+  std::vector<Vec3> displacements_;  // else: #nodes, of the whole motion
 };
 
 }  // namespace winslow
