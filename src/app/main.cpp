@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <charconv>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -13,6 +15,7 @@
 #include "app/output/terminal.h"
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
+#include "core/formulation/tangled_rest.h"
 #include "core/version.h"
 
 namespace winslow::app {
@@ -92,6 +95,14 @@ ExitCode parse_and_run(CLI::App& program, const SubcommandList& subcommands, int
   return run_subcommand(subcommands, program);
 }
 
+/// Throws OutputError if something that was said could not be written: a full disk, for instance.
+void flush_output() {
+  errno = 0;
+  if (std::cout.flush()) return;
+  throw OutputError(std::string("the standard output cannot be written") +
+                    (errno != 0 ? ": " : "") + (errno != 0 ? std::strerror(errno) : ""));
+}
+
 /// The whole program: parses the command line, runs the subcommand, and turns every error into one
 /// line on the standard error and an exit code. Throws nothing.
 ExitCode run_program(int argc, char** argv) {
@@ -104,7 +115,9 @@ ExitCode run_program(int argc, char** argv) {
     program.footer(std::string("'winslow COMMAND --help' explains a command.\n\n") +
                    std::string(exit_code_help));
     const SubcommandList subcommands = make_subcommands(program);
-    return parse_and_run(program, subcommands, argc, argv);
+    const ExitCode code = parse_and_run(program, subcommands, argc, argv);
+    flush_output();
+    return code;
   } catch (const UsageError& error) {
     return fail(ExitCode::usage, error.what());
   } catch (const InputError& error) {
@@ -113,6 +126,8 @@ ExitCode run_program(int argc, char** argv) {
     return fail(ExitCode::input, error.what());
   } catch (const Cancelled&) {
     return fail(ExitCode::interrupted, "interrupted; nothing was written");
+  } catch (const TangledRest& error) {
+    return fail(ExitCode::tangled_rest, std::string(error.what()) + "; nothing was written");
   } catch (const NumericError& error) {
     return fail(ExitCode::not_converged, std::string(error.what()) + "; nothing was written");
   } catch (const std::bad_alloc&) {
@@ -143,5 +158,7 @@ void keep_freed_memory() {
 
 int main(int argc, char** argv) {
   keep_freed_memory();
+  // Writing beyond the limit of file sizes is then an ordinary error.
+  std::signal(SIGXFSZ, SIG_IGN);
   return static_cast<int>(winslow::app::run_program(argc, argv));
 }

@@ -14,13 +14,25 @@
 namespace winslow::app {
 namespace {
 
-void check_files(const JobFiles& files) {
+/// The files that are read besides the mesh.
+std::vector<std::string> other_inputs(const EditJob& job) {
+  std::vector<std::string> inputs = job.files.also_read;
+  inputs.push_back(job.files.reference_mesh);
+  for (const Command& command : job.commands)
+    if (const SmoothOptions* smooth = smooth_options(command))
+      inputs.push_back(smooth->slide.reference);
+  return inputs;
+}
+
+void check_files(const EditJob& job) {
+  const JobFiles& files = job.files;
   if (files.output.empty()) throw UsageError("no file to write to: give one with -o OUT");
   check_mesh_output(files.output);
-  for (const std::string& path : {files.report, files.history, files.save_recipe}) {
-    check_output(path);
-    if (!path.empty()) check_distinct({path, files.input});
-  }
+  const std::vector<std::string> tables{files.report, files.history, files.save_recipe};
+  for (const std::string& path : tables) check_output(path);
+  check_inputs_kept(tables, {files.input});  // the mesh may be written over itself
+  check_inputs_kept(tables, other_inputs(job));
+  check_inputs_kept({files.output}, other_inputs(job));
   check_is_file(files.history, "--history");
   check_is_file(files.save_recipe, "--save-recipe");
   check_distinct({files.output, files.report, files.history, files.save_recipe});
@@ -96,23 +108,36 @@ void copy_pivots(std::vector<MovingBody>& own, const std::vector<MovingBody>& wh
   }
 }
 
-/// Gives a zone its reference mesh: the zone of the same number of that file.
-void add_reference(const JobFiles& files, ZoneRun& zone) {
-  const io::MeshFile reference = io::read_mesh(files.reference_mesh, {.zone = zone.number()});
+void add_reference(const std::string& file, const Mesh& reference, ZoneRun& zone) {
   try {
-    zone.result = with_reference(std::move(zone.result), reference.mesh);
+    zone.result = with_reference(std::move(zone.result), reference);
   } catch (const UsageError& error) {
-    throw UsageError(files.reference_mesh + ": " + error.what());
+    throw UsageError(file + ": " + error.what());
+  }
+}
+
+/// Gives each zone its reference mesh: the zone of the same number of that file.
+void add_references(const std::string& file, std::vector<ZoneRun>& zones) {
+  if (zones.size() == 1) {
+    ZoneRun& zone = zones.front();
+    return add_reference(file, io::read_mesh(file, {.zone = zone.number()}).mesh, zone);
+  }
+  const std::vector<io::MeshFile> meshes = io::read_mesh_zones(file);
+  std::map<int, const io::MeshFile*> by_number;
+  for (const io::MeshFile& mesh : meshes) by_number[mesh.details->zone] = &mesh;
+  for (ZoneRun& zone : zones) {
+    const auto found = by_number.find(zone.number());
+    if (found == by_number.end())
+      throw UsageError(file + ": no zone " + std::to_string(zone.number()) + " in the file");
+    add_reference(file, found->second->mesh, zone);
   }
 }
 
 /// Applies the commands to all zones in order. A body in several zones turns about one common
 /// pivot, found at its current position.
 void apply(const EditJob& job, std::vector<ZoneRun>& zones, RunReport& run) {
-  for (ZoneRun& zone : zones) {
-    zone.result = make_state(zone.source.mesh);
-    if (!job.files.reference_mesh.empty()) add_reference(job.files, zone);
-  }
+  for (ZoneRun& zone : zones) zone.result = make_state(zone.source.mesh);
+  if (!job.files.reference_mesh.empty()) add_references(job.files.reference_mesh, zones);
   ProgressMonitor monitor(!job.files.quiet && terminal_attached());
   std::vector<std::vector<CommandRecord>> records(zones.size());
   for (std::size_t k = 0; k < job.commands.size(); ++k) {
@@ -260,7 +285,7 @@ nlohmann::json make_report(const std::vector<ZoneRun>& zones, const RunReport& r
 
 ExitCode run_edit_job(const EditJob& job) {
   const OutputForData for_data(job.files.report == standard_output);
-  check_files(job.files);
+  check_files(job);
   check_options(job.commands);
   const io::ReferenceReader references = reading_once();
   // Report unreadable surfaces before reading the mesh, which may take long.

@@ -1,3 +1,5 @@
+#include <set>
+
 #include "app/job/edit_job.h"
 #include "app/options/flags.h"
 #include "core/error.h"
@@ -121,22 +123,18 @@ Index inverted_elements(const std::vector<ZoneRun>& zones) {
 }
 
 std::vector<io::MeshFile> read_zones(const std::string& path, int zone) {
+  if (zone == 0) return io::read_mesh_zones(path);
   std::vector<io::MeshFile> files;
   files.push_back(io::read_mesh(path, {.zone = zone}));
-  if (zone != 0) return files;
-  const std::vector<int> numbers = files[0].details->zones;
-  for (std::size_t i = 1; i < numbers.size(); ++i) {
-    files.push_back(io::read_mesh(path, {.zone = numbers[i]}));
-  }
   return files;
 }
 
 std::vector<std::string> warnings_of(const std::vector<io::MeshFile>& files) {
   std::vector<std::string> all;
+  std::set<std::string_view> seen;
   for (const io::MeshFile& file : files) {
-    for (const std::string& text : file.warnings) {
-      if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
-    }
+    for (const std::string& text : file.warnings)
+      if (seen.insert(text).second) all.push_back(text);
   }
   return all;
 }

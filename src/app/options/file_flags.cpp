@@ -150,4 +150,34 @@ void check_distinct(const std::vector<std::string>& paths) {
   }
 }
 
+namespace {
+
+/// The file itself, however it is named; a mesh in a folder is that folder.
+fs::path whole_path(const std::string& path) {
+  fs::path named = path;
+  for (const io::MeshFormat* format : io::mesh_formats()) {
+    if (!format->find_folder) continue;
+    if (const fs::path folder = format->find_folder(path); !folder.empty()) named = folder;
+  }
+  std::error_code error;  // set for a pipe, whose path cannot be resolved
+  fs::path whole = fs::weakly_canonical(fs::absolute(named), error);
+  if (error) return fs::absolute(named);
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+}  // namespace
+
+void check_inputs_kept(const std::vector<std::string>& outputs,
+                       const std::vector<std::string>& inputs) {
+  std::set<fs::path> kept;
+  for (const std::string& input : inputs)
+    if (!input.empty() && input != standard_output) kept.insert(whole_path(input));
+  for (const std::string& output : outputs) {
+    if (output.empty() || output == standard_output || !kept.contains(whole_path(output))) continue;
+    throw UsageError(output +
+                     " is a file that this run reads, and would be replaced: name another "
+                     "file to write");
+  }
+}
+
 }  // namespace winslow::app

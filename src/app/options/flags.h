@@ -56,8 +56,9 @@ inline constexpr std::string_view standard_output = "-";
 /// Files and output options of a job that changes a mesh.
 struct JobFiles {
   std::string input;
-  int zone = 0;                ///< zone of the input; 0: all zones
-  std::string reference_mesh;  ///< whose shapes motions keep; empty: the input
+  int zone = 0;                        ///< zone of the input; 0: all zones
+  std::string reference_mesh;          ///< whose shapes motions keep; empty: the input
+  std::vector<std::string> also_read;  ///< other files that are read: a recipe, tables
   std::string output;
   std::string report;       ///< JSON; "-": to the standard output; empty: none
   std::string history;      ///< CSV; empty: none
@@ -94,6 +95,10 @@ void check_output(const std::string& path);
 void check_is_file(const std::string& path, const char* flag);
 /// Throws UsageError if two output files have the same path.
 void check_distinct(const std::vector<std::string>& paths);
+/// Throws UsageError if an output is the same file as one that is read, which it would replace.
+/// Empty paths and standard_output are no files.
+void check_inputs_kept(const std::vector<std::string>& outputs,
+                       const std::vector<std::string>& inputs);
 
 /// Declares a flag for each option of a table that has one; values are checked during parsing. The
 /// object bound to the table must outlive the parsing.

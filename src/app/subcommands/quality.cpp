@@ -174,11 +174,9 @@ class QualitySubcommand : public Subcommand {
 
  private:
   void check_outputs() const {
-    for (const std::string& path : {report_, csv_}) {
-      check_output(path);
-      for (const std::string& input : inputs_)
-        if (!path.empty()) check_distinct({path, input});
-    }
+    check_output(report_);
+    check_output(csv_);
+    check_inputs_kept({report_, csv_}, inputs_);
     check_distinct({report_, csv_});
   }
 

@@ -32,10 +32,15 @@ gui::PictureOptions picture_options(const RenderFlags& flags) {
 }
 
 void draw(const RenderFlags& flags, const Mesh& mesh) {
-  if (gui::is_vector_format(flags.output))
-    gui::write_figure(flags.output, gui::picture_figure(mesh, picture_options(flags)));
-  else
-    gui::write_png(flags.output, gui::draw_picture(mesh, picture_options(flags)));
+  if (gui::is_vector_format(flags.output)) {
+    const auto figure = gui::picture_figure(mesh, picture_options(flags));
+    InterruptGuard::check();
+    gui::write_figure(flags.output, figure);
+  } else {
+    const gui::Image picture = gui::draw_picture(mesh, picture_options(flags));
+    InterruptGuard::check();
+    gui::write_png(flags.output, picture);
+  }
 }
 
 /// Draws both meshes at the requested size with the same range of colours.
@@ -108,7 +113,9 @@ class RenderSubcommand : public Subcommand {
 
   ExitCode run() override {
     check_flags();
+    const InterruptGuard interrupts;
     const io::MeshFile file = io::read_mesh(flags_.input, {.zone = flags_.zone});
+    InterruptGuard::check();
     check_volume_flags(app(), flags_, *file.mesh.topology);
     const bool volume = file.mesh.topology->space_dimension() == 3;
     if (!flags_.quiet) {
@@ -182,7 +189,6 @@ class RenderSubcommand : public Subcommand {
     std::vector<ResolvedCommand> commands;
     for (const Command& command : recipe.commands)
       commands.push_back(io::resolve_files(command, file.details.get()));
-    const InterruptGuard interrupts;
     return motion_frames(commands, make_state(file.mesh),
                          {flags_.per_command, [] { return InterruptGuard::requested(); }});
   }
@@ -249,7 +255,7 @@ class RenderSubcommand : public Subcommand {
     if (gui::film_format(flags_.frames)) check_output(flags_.frames);
     check_output(flags_.output);
     if (!flags_.output.empty()) gui::check_picture_name(flags_.output);
-    check_distinct({flags_.output, flags_.input});
+    check_inputs_kept({flags_.output, flags_.frames}, {flags_.input, flags_.before, flags_.recipe});
     for (const int pixels : flags_.size) {
       if (pixels < 16 || pixels > largest_picture) {
         throw UsageError("--size: found " + std::to_string(pixels) + ", expected 16 to " +

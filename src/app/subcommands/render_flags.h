@@ -1,8 +1,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 
+#include "app/output/terminal.h"
 #include "core/error.h"
 #include "core/mesh/mesh.h"
 #include "gui/picture/capture/recorder.h"
@@ -88,16 +88,26 @@ Options common_options(const RenderFlags& flags) {
 }
 
 /// Writes a frame of each mesh, in order, into flags.frames; returns a message for the user. Throws
-/// OutputError, and what `draw` throws.
+/// OutputError, and what `draw` throws. Throws Cancelled after a signal (InterruptGuard), and then
+/// leaves no frame behind.
 inline std::string record_frames(const RenderFlags& flags, const std::vector<Mesh>& meshes,
                                  const std::function<gui::Image(const Mesh&)>& draw) {
   gui::Recorder recorder;
   gui::RecordingSpec spec;
   spec.rate = flags.rate;
   recorder.start(flags.frames, spec);
-  for (const Mesh& mesh : meshes) recorder.add(draw(mesh));
+  const auto check = [&recorder] {
+    if (!InterruptGuard::requested()) return;
+    recorder.cancel();
+    throw Cancelled();
+  };
+  for (const Mesh& mesh : meshes) {
+    check();
+    recorder.add(draw(mesh));
+  }
   recorder.stop();
   for (;;) {
+    check();
     if (const auto outcome = recorder.poll()) {
       if (outcome->kind != gui::Recorder::Outcome::Kind::done) throw OutputError(outcome->text);
       return outcome->text;
@@ -111,7 +121,10 @@ template <class Draw>
 void write_both(const RenderFlags& flags, const Draw& draw) {
   const std::string title = flags.title.empty() ? "" : flags.title + ": ";
   const gui::Image left = draw(title + "before", true);
-  gui::write_png(flags.output, gui::side_by_side(left, draw(title + "after", false)));
+  InterruptGuard::check();
+  const gui::Image right = draw(title + "after", false);
+  InterruptGuard::check();
+  gui::write_png(flags.output, gui::side_by_side(left, right));
 }
 
 }  // namespace winslow::app

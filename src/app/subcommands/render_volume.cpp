@@ -194,12 +194,17 @@ void check_volume_flags(const CLI::App& app, const RenderFlags& flags, const Top
 std::string draw_volume(const RenderFlags& flags, const Mesh& mesh) {
   const gui::VolumePictureOptions options = volume_options(flags, mesh.topology->kind());
   if (!gui::is_vector_format(flags.output)) {
-    gui::write_png(flags.output, gui::draw_volume_picture(mesh, options));
+    const gui::Image picture = gui::draw_volume_picture(mesh, options);
+    InterruptGuard::check();
+    gui::write_png(flags.output, picture);
     return {};
   }
   const gui::VectorFigure figure = gui::volume_picture_figure(mesh, options);
+  InterruptGuard::check();
   gui::write_figure(flags.output, figure);
-  return figure.scene->raster ? ", the mesh in it as pixels: too many faces are seen" : "";
+  return figure.scene->raster
+             ? ", the mesh in it as pixels: too many faces are seen, or lie over each other"
+             : "";
 }
 
 std::string draw_turntable(const RenderFlags& flags, const Mesh& mesh) {

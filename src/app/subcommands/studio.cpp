@@ -83,7 +83,7 @@ class StudioSubcommand : public Subcommand {
     if (transparent_ && panels_ != "none") {
       throw UsageError("--transparent is for the mesh alone: add --panels none");
     }
-    check_distinct({screenshot_, input_, recipe_, script_});
+    check_inputs_kept({screenshot_, frames_}, {input_, recipe_, script_});
   }
 
   ExitCode open() const {

@@ -48,6 +48,8 @@ class EditSubcommand : public Subcommand {
     add_recipe_flag(app(), files_);
   }
 
+  JobFiles& files() { return files_; }
+
   EditCommand command_;
 
  private:
@@ -117,6 +119,7 @@ class DeformSubcommand : public EditSubcommand<DeformCommand> {
       throw UsageError(
           "give either --sine AMPLITUDE WAVES, --displacements FILE or --positions FILE");
     }
+    if (!sine) files().also_read = {table_};
     if (sine) {
       if (command_.markers.empty())
         throw UsageError("--sine changes the shape of a body: give its marker with --marker NAME");
@@ -212,6 +215,8 @@ class ReplaySubcommand : public Subcommand {
       files_.output = (folder / recipe.output).string();
     }
     if (files_.zone == 0) files_.zone = recipe.zone;
+    files_.also_read = std::move(recipe.tables);
+    files_.also_read.push_back(recipe_);
     if (files_.reference_mesh.empty() && !recipe.reference_mesh.empty())
       files_.reference_mesh = (folder / recipe.reference_mesh).string();
     if (files_.input.empty()) {

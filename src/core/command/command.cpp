@@ -5,6 +5,7 @@
 
 #include "core/command/local_command.h"
 #include "core/error.h"
+#include "core/linear/krylov.h"
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
 #include "core/strategy/held_walls.h"
@@ -509,6 +510,9 @@ CommandResult execute(const ResolvedCommand& resolved, const MeshState& state,
   const Command command = completed(resolved.command(), given);
   RunOptions options = given;
   options.files = resolved.files();
+  const LinearCheckpoint checkpoint([monitor = options.monitor] {
+    if (monitor && monitor->cancelled()) throw Cancelled();
+  });
   require_dimension(command, state);
   if (moves_nothing(command, state)) return unchanged(state);
   CommandResult result = is_surface(*state.mesh.topology)

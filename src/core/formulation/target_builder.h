@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/error.h"
 #include "core/formulation/kept_shapes.h"
 #include "core/formulation/stretch_field.h"
+#include "core/formulation/tangled_rest.h"
 #include "core/formulation/target_metric.h"
 #include "core/formulation/target_shapes.h"
 #include "core/parallel/parallel_for.h"
@@ -87,11 +87,7 @@ class TargetBuilder {
     return count;
   }
   bool is_lost(Index e) const { return lost_[at(e)] != 0; }
-  [[noreturn]] static void refuse_rest(Index e, const char* fault) {
-    throw MeshError(MeshEntity::element, e,
-                    "element " + std::to_string(e) + " is " + fault +
-                        " in the rest mesh, which is to be the target; choose other targets");
-  }
+  [[noreturn]] static void refuse_rest(Index e, const char* fault) { throw TangledRest(e, fault); }
 
   const Topology& topology_;
   const TargetBlend blend_;

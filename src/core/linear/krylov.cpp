@@ -1,11 +1,27 @@
 #include "core/linear/krylov.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/error.h"
 #include "core/linear/vector_operations.h"
 
 namespace winslow {
+
+namespace {
+
+thread_local const LinearCheckpoint* innermost = nullptr;
+
+}  // namespace
+
+LinearCheckpoint::LinearCheckpoint(std::function<void()> ask)
+    : ask_(std::move(ask)), outer_(std::exchange(innermost, this)) {}
+
+LinearCheckpoint::~LinearCheckpoint() { innermost = outer_; }
+
+void LinearCheckpoint::pass() {
+  if (innermost != nullptr && innermost->ask_) innermost->ask_();
+}
 
 namespace {
 
@@ -66,6 +82,7 @@ int gmres_cycle(const SparseMatrix& matrix, const ApplyPreconditioner& precondit
   for (double& v : basis[0]) v /= beta;
   int done = 0;
   for (bool more = true; more && done < limit;) {
+    LinearCheckpoint::pass();
     const auto k = static_cast<std::size_t>(done++);
     if (basis.size() <= k + 1) basis.emplace_back(n);
     Vector& w = basis[k + 1];
@@ -116,6 +133,7 @@ LinearResult conjugate_gradients(const SparseMatrix& matrix,
   Vector p = z;
   double rz = dot(r, z, threads);
   for (int k = 1;; ++k) {
+    LinearCheckpoint::pass();
     const double curvature = multiply(matrix, p, q, threads);
     if (!std::isfinite(curvature) || !std::isfinite(rz)) {
       throw NumericError("conjugate gradients broke down");

@@ -12,6 +12,33 @@ namespace winslow {
 /// gradients. r and z are different arrays.
 using ApplyPreconditioner = std::function<void(std::span<const double> r, std::span<double> z)>;
 
+/// Lets a caller stop the iterative linear solvers below it, however deep they run and however many
+/// iterations they may make:
+///
+///     const winslow::LinearCheckpoint checkpoint([&] {
+///       if (cancelled) throw winslow::Cancelled();
+///     });
+///     solver->solve(rhs, 1, x);  // throws Cancelled between two iterations
+///
+/// During its lifetime the solvers that its thread calls ask before every iteration. An inner
+/// checkpoint replaces the outer one for its lifetime. x then holds no solution; the solver can go
+/// on with set_matrix().
+class LinearCheckpoint {
+ public:
+  /// ask: throws to end the solve; empty: never asks.
+  explicit LinearCheckpoint(std::function<void()> ask);
+  ~LinearCheckpoint();
+  LinearCheckpoint(const LinearCheckpoint&) = delete;
+  LinearCheckpoint& operator=(const LinearCheckpoint&) = delete;
+
+  /// What iterative solvers call before an iteration.
+  static void pass();
+
+ private:
+  std::function<void()> ask_;
+  const LinearCheckpoint* outer_;
+};
+
 struct KrylovOptions {
   double tolerance = 1e-3;  ///< stop at |b - A x| <= tolerance |b|
   int max_iterations = 200;

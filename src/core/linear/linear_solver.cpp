@@ -194,6 +194,7 @@ class PointImplicitSolver final : public LinearSolver {
     const auto residual = [&] { return relative_residual(*matrix_, rhs, columns, x, threads_); };
     result.relative_residual = residual();
     while (result.iterations < max_iterations_ && result.relative_residual > tolerance_) {
+      LinearCheckpoint::pass();
       const bool forward = result.iterations % 2 == 0;
       with_block(matrix_->block, [&](auto size) { sweep<size()>(rhs, columns, x, forward); });
       ++result.iterations;

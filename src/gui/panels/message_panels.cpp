@@ -162,7 +162,7 @@ void draw_text(const Prompt& prompt, const Theme& theme, float width, float most
   ui::text_colored(title_color(prompt.kind), prompt.title);
   ImGui::PopFont();
   ImGui::SetCursorPosY(title + gap);
-  ImGui::TextUnformatted(prompt.text.c_str());
+  ImGui::TextUnformatted(ui::readable(prompt.text).c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndChild();
   ui::note("prompt/text");

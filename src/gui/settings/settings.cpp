@@ -1,12 +1,12 @@
 #include "gui/settings/settings.h"
 
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
 
 #include "core/error.h"
 #include "gui/render/color_scale.h"
 #include "io/file/atomic_file.h"
+#include "io/text/text_file.h"
 
 namespace winslow::gui {
 
@@ -16,6 +16,16 @@ using nlohmann::json;
 
 // Dragging a splitter changes the layout in every frame.
 constexpr double rest_seconds = 0.4;
+
+// More than any settings have.
+constexpr std::size_t most_bytes = std::size_t{1} << 24;
+constexpr int deepest = 100;
+
+/// True for what can be the name of a file, a mesh or a panel.
+bool is_name(const std::string& text) {
+  constexpr std::size_t longest = 4096;  // of a path
+  return text.size() <= longest && text.find('\0') == std::string::npos;
+}
 
 template <class Choice, std::size_t count>
 using Names = std::array<std::pair<Choice, const char*>, count>;
@@ -139,15 +149,17 @@ struct Reader {
   }
   std::optional<std::string> text(const char* key) const {
     const json* found = find(key, &json::is_string);
-    return found ? std::optional(found->get<std::string>()) : std::nullopt;
+    const bool usable = found && is_name(found->get_ref<const std::string&>());
+    return usable ? std::optional(found->get<std::string>()) : std::nullopt;
   }
-  /// The texts in a list, without other entries; none: there is no list.
+  /// The names in a list, without other entries; none: there is no list.
   std::optional<std::vector<std::string>> texts(const char* key) const {
     const json* found = find(key, &json::is_array);
     if (!found) return std::nullopt;
     std::vector<std::string> all;
     for (const json& text : *found)
-      if (text.is_string()) all.push_back(text.get<std::string>());
+      if (text.is_string() && is_name(text.get_ref<const std::string&>()))
+        all.push_back(text.get<std::string>());
     return all;
   }
   /// A list of exactly `count` numbers.
@@ -338,6 +350,9 @@ std::string write_settings(const Settings& settings, const std::string& previous
 }
 
 Settings read_settings(const std::string& text) {
+  if (io::nested_deeper(text, deepest))
+    throw InputError("the settings have more than " + std::to_string(deepest) +
+                     " lists in each other");
   const json parsed = json::parse(text, nullptr, false);
   if (!parsed.is_object()) throw InputError("the settings are no JSON object");
   const Reader root{parsed}, layout = root.within("layout");
@@ -378,13 +393,10 @@ SettingsFile::~SettingsFile() {
 void SettingsFile::read() {
   std::error_code ignored;
   if (!std::filesystem::exists(path_, ignored)) return;
-  std::ifstream file(path_, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
   try {
-    if (!file) throw InputError("the file cannot be read");
-    initial_ = read_settings(text.str());
-    text_ = text.str();
+    const std::string text = io::read_text_file(path_, most_bytes);
+    initial_ = read_settings(text);
+    text_ = text;
   } catch (const std::exception& error) {
     // Rename the damaged file, so that its content is not lost when the file is rewritten.
     std::filesystem::path aside = path_;

@@ -114,7 +114,7 @@ void tooltip(std::string_view text) {
   if (!UiLayer::current().rested_on(ScreenBox{ScreenPoint(min), ScreenPoint(max)})) return;
   const ImVec2 padding(10, 8);
   const float wrap = ImGui::GetFontSize() * 22.0f;
-  const std::string broken = with_line_breaks(text, wrap);
+  const std::string broken = with_line_breaks(readable(text), wrap);
   const ImVec2 inner = ImGui::CalcTextSize(broken.c_str(), nullptr, false, wrap);
   const ImVec2 size(inner.x + 2 * padding.x, inner.y + 2 * padding.y);
   ImGui::SetNextWindowPos(tooltip_place(min, max, size));
@@ -329,8 +329,9 @@ void unfold(std::string_view id) { UiLayer::current().folded().erase(std::string
 void text_dim(std::string_view text) { text_colored(palette().text_dim, text); }
 
 void text_colored(ImU32 c, std::string_view text) {
+  const std::string shown = readable(text);
   ImGui::PushStyleColor(ImGuiCol_Text, c);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::TextUnformatted(shown.c_str());
   ImGui::PopStyleColor();
 }
 
@@ -345,13 +346,14 @@ void second_column(std::string_view label) {
 }
 
 void text_in(ImFont* font, std::string_view text) {
+  const std::string shown = readable(text);
   ImGui::PushFont(font);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::TextUnformatted(shown.c_str());
   ImGui::PopFont();
 }
 
 void text_wrapped(std::string_view text, ImU32 color) {
-  const std::string broken = with_line_breaks(text, ImGui::GetContentRegionAvail().x);
+  const std::string broken = with_line_breaks(readable(text), ImGui::GetContentRegionAvail().x);
   ImGui::PushTextWrapPos(0);
   text_colored(color, broken);
   ImGui::PopTextWrapPos();
@@ -372,14 +374,35 @@ void figure(std::string_view name, const std::string& value, std::string_view ti
   tooltip(value + "\n" + std::string(tip));
 }
 
+namespace {
+
+/// The text without its middle; keep: bytes of it that stay.
+std::string without_middle(std::string_view text, std::size_t keep) {
+  const std::size_t head = keep / 2;
+  std::string cut(text.substr(0, head));
+  return cut.append("...").append(text.substr(text.size() - (keep - head)));
+}
+
+}  // namespace
+
+std::string readable(std::string_view text) {
+  constexpr std::size_t longest = 2000;
+  return text.size() <= longest ? std::string(text) : without_middle(text, longest);
+}
+
 std::string elided(const std::string& text, float width) {
-  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-  for (std::size_t keep = text.size(); keep > 4; --keep) {
-    const std::size_t head = keep / 2;
-    std::string cut = text.substr(0, head) + "..." + text.substr(text.size() - (keep - head));
-    if (ImGui::CalcTextSize(cut.c_str()).x <= width) return cut;
+  constexpr std::size_t longest = 4000, shortest = 4;  // no row has room for more
+  const auto fits = [width](const std::string& shown) {
+    return ImGui::CalcTextSize(shown.c_str()).x <= width;
+  };
+  if (text.size() <= longest && fits(text)) return text;
+  // What is kept is searched between a number that fits and one that does not.
+  std::size_t few = shortest, many = std::min(text.size(), longest);
+  while (many > few + 1) {
+    const std::size_t keep = few + (many - few) / 2;
+    (fits(without_middle(text, keep)) ? few : many) = keep;
   }
-  return "...";
+  return few > shortest ? without_middle(text, few) : "...";
 }
 
 /// Widgets that choose one of several items: lists and tabs.

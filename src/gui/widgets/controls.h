@@ -124,6 +124,10 @@ void figure(std::string_view name, const std::string& value, std::string_view ti
 /// Right-aligned text in the rest of the row or cell.
 void text_right(std::string_view text, ImU32 color);
 
+/// Text of any length, such as a name in a file, without its middle if it is longer than anybody
+/// reads: Dear ImGui draws at most 16,384 characters at once.
+std::string readable(std::string_view text);
+
 /// Text shortened to a width with "..." in its middle, to keep the end of a file name.
 std::string elided(const std::string& text, float width);
 

@@ -21,6 +21,7 @@ const MeshFormat format{.name = "cgns",
                               return signature_if(container_of(content.whole).has_value());
                             },
                         .read_zone = read_zone,
+                        .read_zones = read_zones,
                         .write = write,
                         .write_zones = write_zones};
 

@@ -27,6 +27,8 @@ extern const MeshFormat format;
 /// Reads one zone. zone: its number among all zones of the file, from 1 (find_zones()); 0: the
 /// first. Throws UsageError if the file has no such zone.
 ParsedMesh read_zone(Source& source, int zone);
+/// Reads all zones of a file, in the order of find_zones(). They share its tree.
+void read_zones(Source& source, const TakeZone& take);
 
 /// Writes a file with one zone; other zones of the source file are left out. The options choose the
 /// container; the default is that of the source, else HDF5.

@@ -19,20 +19,20 @@ std::optional<Container> container_of(std::string_view bytes) {
 
 #include <cgns_io.h>
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <limits>
+#include <csignal>
 #include <mutex>
-#include <utility>
 
 #include "core/error.h"
+#include "io/cgns/hdf5_tree.h"
+#include "io/cgns/tree_limits.h"
 #include "io/file/atomic_file.h"
+#include "io/file/scratch_file.h"
 
 namespace winslow::io::cgns {
 
@@ -109,27 +109,16 @@ struct Handles {
   std::vector<double> ids;
 };
 
-bool printable(char c) {
+/// True for the characters that ADF allows in names.
+bool allowed_in_name(char c) {
   return static_cast<unsigned char>(c) >= 0x20 && static_cast<unsigned char>(c) < 0x7f;
 }
 
-/// Path of a node for messages; in damaged files, names may hold any bytes.
-std::string child_path(const std::string& parent, const std::string& name) {
-  std::string path = parent + '/' + name;
-  std::replace_if(
-      path.begin(), path.end(), [](char c) { return !printable(c); }, '?');
-  return path;
-}
-
+/// Reads the tree of an ADF file.
 class TreeReader {
  public:
-  TreeReader(Source& source, const OpenFile& file, Container container)
-      : source_(source),
-        file_(file.number()),
-        container_(container),
-        nodes_left_(source.text().size() / smallest_node + some_nodes),
-        // HDF5 can hold compressed data; deflate compresses by a factor of at most 1032.
-        bytes_left_(source.text().size() * (container == Container::hdf5 ? 1032 : 1)) {}
+  TreeReader(Source& source, const OpenFile& file)
+      : file_(file.number()), limits_(source, Container::adf) {}
 
   NodePtr read(double root_id) {
     const auto root = read_node(root_id, "", 0);
@@ -138,16 +127,9 @@ class TreeReader {
   }
 
  private:
-  static constexpr std::size_t smallest_node = 64, some_nodes = 100;
-  static constexpr int deepest = 40;  // libcgns itself goes down 20 levels
-
-  [[noreturn]] void fail(const std::string& path, const std::string& found,
-                         const std::string& expected) {
-    source_.set_part(path.empty() ? "/" : path);
-    source_.fail(0, found, expected);
-  }
   void require(int error, const std::string& path) {
-    if (error != 0) fail(path, "a damaged node (" + library_error() + ")", "one that can be read");
+    if (error == 0) return;
+    limits_.fail(path, "a damaged node (" + library_error() + ")", "one that can be read");
   }
 
   std::shared_ptr<Node> read_node(double id, const std::string& parent, int depth) {
@@ -156,11 +138,9 @@ class TreeReader {
     require(cgio_get_name(file_, id, text.data()), parent);
     node->name = text.data();
     const std::string path = depth == 0 ? "" : child_path(parent, node->name);
-    if (container_ == Container::adf &&
-        !std::all_of(node->name.begin(), node->name.end(), printable))
-      fail(path, "a name with characters that ADF does not allow", "ASCII");
-    if (depth > deepest) fail(path, "nodes in nodes without end", "at most 40 levels");
-    if (nodes_left_-- == 0) fail(path, "more nodes than the file has room for", "a sound file");
+    if (!std::all_of(node->name.begin(), node->name.end(), allowed_in_name))
+      limits_.fail(path, "a name with characters that ADF does not allow", "ASCII");
+    limits_.count_node(path, depth);
     int link_length = 0;
     require(cgio_is_link(file_, id, &link_length), path);
     if (link_length > 0) {
@@ -182,7 +162,7 @@ class TreeReader {
     require(cgio_link_size(file_, id, &file_length, &path_length), path);
     if (file_length < 0 || file_length > CGIO_MAX_FILE_LENGTH || path_length < 0 ||
         path_length > CGIO_MAX_LINK_LENGTH) {
-      fail(path, "a link of " + std::to_string(path_length) + " characters", "a path");
+      limits_.fail(path, "a link of " + std::to_string(path_length) + " characters", "a path");
     }
     std::string file(static_cast<std::size_t>(file_length) + 1, '\0');
     std::string link(static_cast<std::size_t>(path_length) + 1, '\0');
@@ -196,35 +176,20 @@ class TreeReader {
     int count = 0;
     std::array<cgsize_t, CGIO_MAX_DIMENSIONS + 1> dims{};
     require(cgio_get_dimensions(file_, id, &count, dims.data()), path);
-    if (count < 0 || count > CGIO_MAX_DIMENSIONS)
-      fail(path, std::to_string(count) + " dimensions", "at most 12");
-    const std::size_t size = size_of(node.type);
-    if (size == 0) fail(path, "data of type " + in_quotes(node.type), "a type of CGNS");
-    std::size_t bytes = count == 0 ? 0 : size;
-    for (int k = 0; k < count; ++k) {
-      const std::int64_t dim = dims[static_cast<std::size_t>(k)];
-      if (dim < 0 || (dim > 0 && bytes > bytes_left_ / static_cast<std::size_t>(dim))) {
-        fail(path, "data of dimension " + std::to_string(dim), "no more than the file can hold");
-      }
-      bytes *= static_cast<std::size_t>(dim);
-      node.dims.push_back(dim);
-    }
-    bytes_left_ -= bytes;
-    node.data.resize(bytes);
-    if (bytes == 0) return;
-    // HDF5 may store another type than the node declares. This call converts to the declared type;
-    // a plain read would write past the end of the buffer.
-    require(container_ == Container::hdf5
-                ? cgio_read_all_data_type(file_, id, node.type.c_str(), node.data.data())
-                : cgio_read_all_data(file_, id, node.data.data()),
-            path);
+    if (count < 0 || count > TreeLimits::most_dimensions)
+      limits_.fail(path, std::to_string(count) + " dimensions", "at most 12");
+    node.dims.assign(dims.begin(), dims.begin() + count);
+    node.data.resize(limits_.count_data(path, node.type, node.dims));
+    if (!node.data.empty()) require(cgio_read_all_data(file_, id, node.data.data()), path);
   }
 
   void read_children(double id, const std::string& path, int depth, Node& node) {
     int count = 0;
     require(cgio_number_children(file_, id, &count), path);
-    if (count < 0 || static_cast<std::size_t>(count) > nodes_left_)
-      fail(path, std::to_string(count) + " nodes below it", "no more than the file can hold");
+    if (count < 0 || !limits_.has_room_for(static_cast<std::size_t>(count))) {
+      limits_.fail(path, std::to_string(count) + " nodes below it",
+                   "no more than the file can hold");
+    }
     if (count == 0) return;
     Handles children(file_);
     std::vector<double> ids(static_cast<std::size_t>(count));
@@ -232,18 +197,39 @@ class TreeReader {
     require(cgio_children_ids(file_, id, 1, count, &found, ids.data()), path);
     children.ids.assign(ids.begin(), ids.begin() + std::clamp(found, 0, count));
     if (found != count) {
-      fail(path, std::to_string(found) + " nodes below it", std::to_string(count) + " as it says");
+      limits_.fail(path, std::to_string(found) + " nodes below it",
+                   std::to_string(count) + " as it says");
     }
     for (const double child : children.ids)
       node.children.push_back(read_node(child, path, depth + 1));
   }
 
-  Source& source_;
   int file_;
-  Container container_;
-  std::size_t nodes_left_, bytes_left_;
+  TreeLimits limits_;
   std::vector<std::shared_ptr<Node>> links_;
 };
+
+/// The header of an ADF file says how its numbers are stored. libcgns stops the program where these
+/// two letters are none that it knows.
+void check_adf_header(Source& source) {
+  constexpr std::size_t format_place = 100, size_place = 101;
+  constexpr std::string_view formats = "BLCN", sizes = "BL";
+  const std::string_view text = source.text();
+  const auto knows = [&](std::string_view letters, std::size_t place) {
+    return place < text.size() && letters.find(text[place]) != std::string_view::npos;
+  };
+  source.set_binary_from(0);
+  source.set_part({});
+  if (!knows(formats, format_place)) {
+    source.fail(format_place, "no letter for the format of numbers in the header of an ADF file",
+                "B, L, C or N");
+  }
+  if (!knows(sizes, size_place)) {
+    source.fail(size_place, "no letter for the size of numbers in the header of an ADF file",
+                "B or L");
+  }
+  source.set_part("/");
+}
 
 /// A name for libcgns, which always writes 33 bytes into HDF5, even for shorter text.
 class Text {
@@ -305,19 +291,60 @@ class TreeWriter {
   int file_;
 };
 
-void put_file(const std::filesystem::path& path, std::string_view bytes) {
-  std::ofstream out(path, std::ios::binary);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out) throw OutputError(path.string() + ": cannot be written: " + std::strerror(errno));
-}
+/// A file for libcgns to write. libcgns makes it by name; remove_name() then takes the name away,
+/// so that nothing stays if the program is stopped. Until then no signal stops the program.
+class NamelessOutput {
+ public:
+  NamelessOutput() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_BLOCK, &all, &signals_);
+    try {
+      folder_ = std::make_unique<TemporaryFolder>();
+    } catch (...) {
+      ::pthread_sigmask(SIG_SETMASK, &signals_, nullptr);
+      throw;
+    }
+  }
+  ~NamelessOutput() {
+    remove_name();
+    if (file_ >= 0) ::close(file_);
+  }
+  NamelessOutput(const NamelessOutput&) = delete;
+  NamelessOutput& operator=(const NamelessOutput&) = delete;
 
-std::string get_file(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad() || bytes.empty()) throw OutputError(path.string() + ": cannot be read again");
-  return bytes;
-}
+  /// Call before remove_name().
+  std::filesystem::path path() const { return *folder_ / "out.cgns"; }
+
+  void remove_name() {
+    if (!folder_) return;
+    file_ = ::open(path().c_str(), O_RDONLY | O_CLOEXEC);
+    folder_.reset();
+    ::pthread_sigmask(SIG_SETMASK, &signals_, nullptr);
+  }
+
+  /// What was written. Call after libcgns has closed the file. Throws OutputError.
+  std::string bytes() const {
+    struct stat status {};
+    std::string bytes;
+    if (file_ >= 0 && ::fstat(file_, &status) == 0)
+      bytes.resize(static_cast<std::size_t>(status.st_size));
+    std::size_t got = 0;
+    while (got < bytes.size()) {
+      const ssize_t n = ::read(file_, bytes.data() + got, bytes.size() - got);
+      if (n == 0 || (n < 0 && errno != EINTR)) break;
+      if (n > 0) got += static_cast<std::size_t>(n);
+    }
+    if (bytes.empty() || got < bytes.size())
+      throw OutputError("CGNS cannot be written: the temporary file cannot be read again");
+    return bytes;
+  }
+
+ private:
+  sigset_t signals_{};  // blocked before
+  std::unique_ptr<TemporaryFolder> folder_;
+  int file_ = -1;
+};
 
 }  // namespace
 
@@ -329,34 +356,28 @@ TreeFile read_tree(Source& source) {
   }
   const std::scoped_lock lock(library_mutex());
   keep_hdf5_quiet();
-  const TemporaryFolder folder;
-  const auto path = folder / "in.cgns";
-  put_file(path, source.text());
-  const OpenFile file(path, CGIO_MODE_READ,
-                      *container == Container::hdf5 ? CGIO_FILE_HDF5 : CGIO_FILE_ADF);
+  if (*container == Container::hdf5) return {read_hdf5_tree(source), *container};
+  check_adf_header(source);
+  const ScratchFile copy(source.text());
+  const OpenFile file(copy.path(), CGIO_MODE_READ, CGIO_FILE_ADF);
   if (file.failed()) {
     throw InputError(source.name() +
                      ": cannot be read as a CGNS file, it is damaged or none: " + file.error());
   }
-  std::array<char, CGIO_MAX_LABEL_LENGTH + 2> label{};
-  if (cgio_get_label(file.number(), file.root(), label.data()) != 0) {
-    throw InputError(source.name() +
-                     ": found an HDF5 file without the nodes of CGNS, expected a CGNS file");
-  }
-  return {TreeReader(source, file, *container).read(file.root()), *container};
+  return {TreeReader(source, file).read(file.root()), *container};
 }
 
 std::string write_tree(const Node& root, Container container) {
   const std::scoped_lock lock(library_mutex());
   keep_hdf5_quiet();
-  const TemporaryFolder folder;
-  const auto path = folder / "out.cgns";
-  OpenFile file(path, CGIO_MODE_WRITE,
+  NamelessOutput output;
+  OpenFile file(output.path(), CGIO_MODE_WRITE,
                 container == Container::hdf5 ? CGIO_FILE_HDF5 : CGIO_FILE_ADF);
   if (file.failed()) throw OutputError("CGNS cannot be written: " + file.error());
+  output.remove_name();
   TreeWriter(file.number()).write_children(file.root(), root);
   if (!file.close()) throw OutputError("CGNS cannot be written: " + library_error());
-  return get_file(path);
+  return output.bytes();
 }
 
 }  // namespace winslow::io::cgns

@@ -163,23 +163,47 @@ class ZoneReader {
   ParsedMesh mesh_;
 };
 
+/// A file whose tree has been read.
+class ZoneFile {
+ public:
+  explicit ZoneFile(Source& source) {
+    source.set_part("/");
+    file_ = read_tree(source);
+    zones_ = find_zones(NodeView(source, file_.root));
+    for (std::size_t z = 0; z < zones_.size() && zones_.size() > 1; ++z)
+      numbers_.push_back(static_cast<int>(z) + 1);
+  }
+
+  const std::vector<ZonePlace>& zones() const { return zones_; }
+
+  ParsedMesh read(std::size_t chosen) const {
+    const ZonePlace& place = zones_[chosen];
+    auto details = std::make_shared<Details>();
+    details->root = file_.root;
+    details->container = file_.container;
+    details->base_name = place.base.name();
+    details->zone_name = place.zone.name();
+    details->zone = static_cast<int>(chosen) + 1;
+    details->zones = numbers_;
+    return ZoneReader(place, std::move(details)).read();
+  }
+
+ private:
+  TreeFile file_;
+  std::vector<ZonePlace> zones_;
+  std::vector<int> numbers_;  // of the zones; empty: there is one
+};
+
 }  // namespace
 
 ParsedMesh read_zone(Source& source, int number) {
-  source.set_part("/");
-  TreeFile file = read_tree(source);
-  auto details = std::make_shared<Details>();
-  details->root = std::move(file.root);
-  details->container = file.container;
-  const NodeView root(source, details->root);
-  const auto zones = find_zones(root);
-  const std::size_t chosen = choose_zone(zones, number);
-  details->base_name = zones[chosen].base.name();
-  details->zone_name = zones[chosen].zone.name();
-  details->zone = static_cast<int>(chosen) + 1;
-  for (std::size_t z = 0; z < zones.size() && zones.size() > 1; ++z)
-    details->zones.push_back(static_cast<int>(z) + 1);
-  return ZoneReader(zones[chosen], std::move(details)).read();
+  const ZoneFile file(source);
+  return file.read(choose_zone(file.zones(), number));
+}
+
+void read_zones(Source& source, const TakeZone& take) {
+  const ZoneFile file(source);
+  for (std::size_t z = 0; z < file.zones().size(); ++z) take(file.read(z));
 }
 
 }  // namespace winslow::io::cgns

@@ -165,8 +165,10 @@ Temporary make_temporary(const fs::path& folder, const fs::path& target) {
     file.name = (folder / (prefix + "XXXXXX")).string();
     file.fd = ::mkostemp(file.name.data(), O_CLOEXEC);
     if (file.fd < 0) fail(target, errno);
-    ::flock(file.fd, LOCK_EX | LOCK_NB);
-    // Another writer may have removed the file as an orphan before it was locked.
+    // Another writer may hold the lock for a moment, to remove the file as an orphan: without
+    // waiting for it, the file would vanish while it is written.
+    while (::flock(file.fd, LOCK_EX) != 0 && errno == EINTR) {
+    }
     struct stat status {};
     if (::fstat(file.fd, &status) == 0 && status.st_nlink > 0) {
       file.lock = ::fcntl(file.fd, F_DUPFD_CLOEXEC, 0);

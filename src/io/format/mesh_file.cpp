@@ -108,23 +108,27 @@ const MeshFormat* folder_format(const std::filesystem::path& path, std::filesyst
   return nullptr;
 }
 
-}  // namespace
+/// A mesh file before its content is read.
+struct OpenedMesh {
+  explicit OpenedMesh(const std::filesystem::path& path)
+      : format(folder_format(path, folder)),
+        source(format ? Source(folder.string(), {}) : Source::load(path)) {
+    if (!format) format = detect(source, path, warnings);
+    if (!format->missing.empty())
+      throw InputError(source.name() + ": " + std::string(format->missing));
+  }
 
-MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
   std::filesystem::path folder;
+  const MeshFormat* format;
+  Source source;
+  std::vector<std::string> warnings;  ///< of the whole file
+};
+
+/// Makes the mesh of what a reader has found.
+MeshFile finish(const OpenedMesh& opened, ParsedMesh parsed, std::vector<std::string> warnings) {
   MeshFile file;
-  file.format = folder_format(path, folder);
-  Source source = file.format ? Source(folder.string(), {}) : Source::load(path);
-  if (!file.format) file.format = detect(source, path, file.warnings);
-  if (!file.format->missing.empty()) {
-    throw InputError(source.name() + ": " + std::string(file.format->missing));
-  }
-  if (options.zone != 0 && !file.format->read_zone) {
-    throw UsageError(source.name() + ": no zone " + std::to_string(options.zone) +
-                     ": a file of this format is one mesh");
-  }
-  ParsedMesh parsed = file.format->read_zone ? file.format->read_zone(source, options.zone)
-                                             : file.format->read(source);
+  file.format = opened.format;
+  file.warnings = std::move(warnings);
   parsed.details->nodes = parsed.data.node_count();
   parsed.details->elements = parsed.data.element_count();
   turn_to_viewer(parsed);
@@ -132,17 +136,45 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
   try {
     file.mesh = make_mesh(parsed.data, &file.warnings);
   } catch (const MeshError& error) {
-    source.fail(place_of(error, parsed.where), error.what());
+    opened.source.fail(place_of(error, parsed.where), error.what());
   }
   for (std::string& text : marker_overlaps(*file.mesh.topology))
     file.warnings.push_back(std::move(text));
   parsed.details->format = file.format;
-  settle_periodicity(*parsed.details, file.mesh, source.name());
+  const std::string& name = opened.source.name();
+  settle_periodicity(*parsed.details, file.mesh, name);
   file.details = std::move(parsed.details);
   const std::string zone =
       file.details->zones.empty() ? "" : "zone " + std::to_string(file.details->zone) + ": ";
-  for (std::string& warning : file.warnings) warning = source.name() + ": " + zone + warning;
+  for (std::string& warning : file.warnings) warning = name + ": " + zone + warning;
   return file;
+}
+
+}  // namespace
+
+MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
+  OpenedMesh opened(path);
+  const MeshFormat& format = *opened.format;
+  if (options.zone != 0 && !format.read_zone) {
+    throw UsageError(opened.source.name() + ": no zone " + std::to_string(options.zone) +
+                     ": a file of this format is one mesh");
+  }
+  ParsedMesh parsed =
+      format.read_zone ? format.read_zone(opened.source, options.zone) : format.read(opened.source);
+  return finish(opened, std::move(parsed), std::move(opened.warnings));
+}
+
+std::vector<MeshFile> read_mesh_zones(const std::filesystem::path& path) {
+  std::vector<MeshFile> files;
+  OpenedMesh opened(path);
+  const auto take = [&](ParsedMesh zone) {
+    files.push_back(finish(opened, std::move(zone), std::exchange(opened.warnings, {})));
+  };
+  if (opened.format->read_zones)
+    opened.format->read_zones(opened.source, take);
+  else
+    take(opened.format->read(opened.source));
+  return files;
 }
 
 std::vector<std::string> zones_left(const FormatDetails* details,

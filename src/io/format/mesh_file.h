@@ -57,6 +57,9 @@ struct ReadOptions {
 /// byte N: ...". Never crashes on any content, and never allocates more than the file's size
 /// justifies. Throws UsageError for a zone that the file does not have.
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
+/// Reads all zones of a file in the order of their numbers; a file without zones is one. The time
+/// grows with the size of the file, not with the number of its zones.
+std::vector<MeshFile> read_mesh_zones(const std::filesystem::path& path);
 
 struct WriteOptions {
   const MeshFormat* format = nullptr;  ///< null: by the extension of the path

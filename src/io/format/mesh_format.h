@@ -32,6 +32,9 @@ struct Evidence {
   bool stronger_than(const Evidence& other) const;
 };
 
+/// Gets the zones of a file one by one, each right after it was read.
+using TakeZone = std::function<void(ParsedMesh zone)>;
+
 /// One mesh format. The defaults suit most formats. Texts must be literals.
 struct MeshFormat {
   std::string_view name;           ///< the extension without its dot, in lower case: "msh"
@@ -56,6 +59,8 @@ struct MeshFormat {
   /// Replaces read() for formats that hold several meshes (zones) in one file. zone: its number; 0:
   /// the first. Throws UsageError if the file has no such zone.
   ParsedMesh (*read_zone)(Source& source, int zone) = nullptr;
+  /// Goes with read_zone(): reads all zones of a file that is opened once.
+  void (*read_zones)(Source& source, const TakeZone& take) = nullptr;
   /// For formats whose meshes are folders: the folder that a path stands for; empty: none. read()
   /// gets it as the name of a source without bytes.
   std::filesystem::path (*find_folder)(const std::filesystem::path& path) = nullptr;

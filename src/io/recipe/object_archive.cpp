@@ -1,11 +1,10 @@
 #include "io/recipe/object_archive.h"
 
-#include <fstream>
 #include <iterator>
 #include <set>
-#include <sstream>
 
 #include "io/text/source.h"
+#include "io/text/text_file.h"
 
 namespace winslow::io {
 namespace {
@@ -119,18 +118,6 @@ class Tracker {
   std::vector<Level> stack_;
 };
 
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) {
-    throw InputError(file.string() + ": found a folder, expected a file");
-  }
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (in && in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
-  if (!in.is_open() || in.bad()) throw InputError(file.string() + ": cannot be read");
-  return text.str();
-}
-
 /// The parser's message without its own prefix "[json.exception...] parse error at line 3, ...: ".
 std::string plain(const std::string& message) {
   const std::size_t end = message.find("syntax error");
@@ -149,7 +136,7 @@ int JsonSource::line_of(std::string path) const {
 }
 
 JsonSource read_json(const std::filesystem::path& file) {
-  const std::string text = read_text(file);
+  const std::string text = read_text_file(file);
   const auto fail = [&](int line, const std::string& message) {
     throw InputError(file.string() + ':' + std::to_string(line) + ": " + message);
   };
@@ -250,6 +237,8 @@ void ObjectReader::read(const json& value, const std::string& path, bool& out) {
 void ObjectReader::read(const json& value, const std::string& path, std::string& out) {
   if (!value.is_string()) refuse(value, path, "a text");
   out = value.get<std::string>();
+  // The system would end a name there, and open another file than the one that is shown.
+  if (out.find('\0') != std::string::npos) refuse(value, path, "a text without null characters");
 }
 
 void ObjectReader::read(const json& value, const std::string& path, std::vector<std::string>& out) {

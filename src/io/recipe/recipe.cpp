@@ -14,6 +14,16 @@ using nlohmann::json;
 /// Version of the format; a reader refuses all others.
 constexpr int recipe_version = 1;
 
+/// Adds the file whose table a command is read with, if there is one.
+void note_table(const json& command, const std::filesystem::path& folder,
+                std::vector<std::string>& tables) {
+  for (const char* key : {"displacements", "positions"}) {
+    const auto table = command.find(key);
+    if (table != command.end() && table->is_string())
+      tables.push_back((folder / table->get<std::string>()).string());
+  }
+}
+
 Recipe parse_recipe(const json& document, const std::filesystem::path& folder) {
   ObjectReader reader(document, "");
   int version = 0;
@@ -33,6 +43,7 @@ Recipe parse_recipe(const json& document, const std::filesystem::path& folder) {
   for (std::size_t i = 0; i < commands.size(); ++i) {
     recipe.commands.push_back(
         command_from_json(commands[i], folder, "commands[" + std::to_string(i) + ']'));
+    note_table(commands[i], folder, recipe.tables);
   }
   reader.finish();
   return recipe;

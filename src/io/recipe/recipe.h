@@ -24,6 +24,8 @@ struct Recipe {
   int zone = 0;  ///< for an input of several zones: the zone to change; 0: all
   /// Mesh whose element shapes motions keep, relative to the recipe; empty: the input.
   std::string reference_mesh = {};
+  /// Files of displacements or positions that the recipe was read with; they are not written.
+  std::vector<std::string> tables = {};
 };
 
 nlohmann::json to_json(const Command& command);

@@ -80,6 +80,7 @@ const MeshFormat format{
     .keeps_periodic = true,
     .recognise = [](const Content& content) { return keyword_on_line(content, is_keyword); },
     .read_zone = read_zone,
+    .read_zones = read_zones,
     .write = write,
     .write_zones = write_zones};
 

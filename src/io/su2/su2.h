@@ -44,6 +44,8 @@ extern const MeshFormat format;
 
 /// zone: number after IZONE=; 0: the first one. Throws UsageError if the file has no such zone.
 ParsedMesh read_zone(Source& source, int zone);
+/// Reads all zones, in the order of the file.
+void read_zones(Source& source, const TakeZone& take);
 
 /// Writes points in the order of the file. Text after their coordinates is kept; only point numbers
 /// that count from 0 are written anew. A plane mesh has NDIME= 2, unless it came from an SU2 file

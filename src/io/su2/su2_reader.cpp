@@ -93,13 +93,16 @@ bool read_points(LineReader& lines, int dimension, std::span<double> values,
   return tails.renumbered();
 }
 
-/// Nodes of this mesh that a free-form deformation box lists by marker and number
-/// (FFD_SURFACE_POINTS=), with their positions. The box may be in another zone's part of the file.
-std::vector<BoxPoint> box_points(const Source& source, const ParsedMesh& mesh) {
+/// A node that a free-form deformation box lists by marker and number (FFD_SURFACE_POINTS=).
+struct BoxEntry {
+  std::string_view marker;
+  std::int64_t node;
+};
+
+/// Reads all boxes of a file: that of a zone may be in the part of another zone.
+std::vector<BoxEntry> box_entries(const Source& source) {
   constexpr std::string_view key = "FFD_SURFACE_POINTS";
-  std::vector<BoxPoint> points;
-  std::set<std::string_view> markers;
-  for (const Marker& marker : mesh.data.markers) markers.insert(marker.name);
+  std::vector<BoxEntry> entries;
   const auto text = source.text();
   for (auto start = text.find(key); start != std::string_view::npos;
        start = text.find(key, start + 1)) {
@@ -110,12 +113,23 @@ std::vector<BoxPoint> box_points(const Source& source, const ParsedMesh& mesh) {
       if (!line.key.empty()) break;
       LineWords words(line.text);
       const auto marker = words.next();
-      const auto node = parse_integer(words.next());
-      if (!node || *node < 0 || *node >= mesh.data.node_count() || !markers.contains(marker))
-        continue;
-      const auto i = static_cast<Index>(*node);
-      points.push_back({i, place_in_space(nullptr, mesh.data.coordinates, i)});
+      if (const auto node = parse_integer(words.next())) entries.push_back({marker, *node});
     }
+  }
+  return entries;
+}
+
+/// The entries that name nodes of this mesh, with their positions.
+std::vector<BoxPoint> box_points(const std::vector<BoxEntry>& entries, const ParsedMesh& mesh) {
+  std::vector<BoxPoint> points;
+  if (entries.empty()) return points;
+  std::set<std::string_view> markers;
+  for (const Marker& marker : mesh.data.markers) markers.insert(marker.name);
+  for (const BoxEntry& entry : entries) {
+    if (entry.node < 0 || entry.node >= mesh.data.node_count() || !markers.contains(entry.marker))
+      continue;
+    const auto i = static_cast<Index>(entry.node);
+    points.push_back({i, place_in_space(nullptr, mesh.data.coordinates, i)});
   }
   return points;
 }
@@ -450,25 +464,51 @@ Dimensions dimensions_of(const Source& source, const ZoneList::Zone& zone, int s
   return {3, has_surface_elements(source, zone) ? 2 : 3};
 }
 
+/// What the zones of a file share.
+struct ZoneFile {
+  explicit ZoneFile(const Source& of)
+      : source(of),
+        list(find_zones(of)),
+        // A line before the first zone may give it for all zones.
+        common(list.several ? stated_dimension(of, 0, list.zones[0].begin) : 0),
+        entries(box_entries(of)),
+        numbers(list.numbers()) {
+    if (list.several) blocks = std::make_shared<const std::vector<std::string>>(list.blocks(of));
+  }
+
+  ParsedMesh read(std::size_t chosen) const {
+    const ZoneList::Zone& zone = list.zones[chosen];
+    const int own = stated_dimension(source, zone.begin, zone.end);
+    Reader reader(source, zone, dimensions_of(source, zone, own != 0 ? own : common));
+    Details& details = reader.details();
+    ParsedMesh mesh = reader.read(common != 0);
+    details.zone = zone.number;
+    details.box_points = box_points(entries, mesh);
+    if (!list.several) return mesh;
+    details.zones = numbers;
+    details.blocks = blocks;
+    details.block = chosen + 1;
+    return mesh;
+  }
+
+  const Source& source;
+  ZoneList list;
+  int common;  // NDIME= of all zones; 0: each has its own
+  std::vector<BoxEntry> entries;
+  std::vector<int> numbers;
+  std::shared_ptr<const std::vector<std::string>> blocks;
+};
+
 }  // namespace
 
 ParsedMesh read_zone(Source& source, int number) {
-  const ZoneList list = find_zones(source);
-  const std::size_t chosen = choose_zone(list, number, source.name());
-  const ZoneList::Zone& zone = list.zones[chosen];
-  const int own = stated_dimension(source, zone.begin, zone.end);
-  // A line before the first zone may give it for all zones.
-  const int common = list.several ? stated_dimension(source, 0, list.zones[0].begin) : 0;
-  Reader reader(source, zone, dimensions_of(source, zone, own != 0 ? own : common));
-  Details& details = reader.details();
-  ParsedMesh mesh = reader.read(common != 0);
-  details.zone = zone.number;
-  details.box_points = box_points(source, mesh);
-  if (!list.several) return mesh;
-  details.zones = list.numbers();
-  details.blocks = std::make_shared<const std::vector<std::string>>(list.blocks(source));
-  details.block = chosen + 1;
-  return mesh;
+  const ZoneFile file(source);
+  return file.read(choose_zone(file.list, number, source.name()));
+}
+
+void read_zones(Source& source, const TakeZone& take) {
+  const ZoneFile file(source);
+  for (std::size_t z = 0; z < file.list.zones.size(); ++z) take(file.read(z));
 }
 
 }  // namespace winslow::io::su2

@@ -7,7 +7,9 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/linear/krylov.h"
 #include "core/linear/vector_operations.h"
+#include "support/meshes.h"
 #include "support/random.h"
 #include "support/systems.h"
 
@@ -209,4 +211,35 @@ TEST_CASE("solvers are known by name and described") {
                        "multigrid, gmres, point-implicit",
                        UsageError);
   CHECK_THROWS_AS(linear_solver_summary(""), UsageError);
+}
+
+TEST_CASE("a checkpoint ends a solve between two of its iterations, however many it may make") {
+  constexpr std::uint64_t seed = 5;
+  CAPTURE(seed);
+  for (const std::string name : {"gmres", "point-implicit", "cg", "multigrid"}) {
+    CAPTURE(name);
+    Random random(seed);
+    const SparseSystem system =
+        linear_solver_needs_symmetry(name)
+            ? springs(make_mesh(square(16, Cells::triangles)), random, 2, 0.1)
+            : random_system(random, 300);
+    LinearOptions options;
+    options.solver = name;
+    options.tolerance = 0;  // never reached
+    options.max_iterations = 100'000;
+    const auto solver = make_linear_solver(options);
+    std::vector<double> x(system.rhs.size(), 0.0);
+    int asked = 0;
+    {
+      const LinearCheckpoint checkpoint([&] {
+        if (++asked == 3) throw Cancelled();
+      });
+      CHECK_THROWS_AS(solve(*solver, system, x), Cancelled);
+      CHECK(asked == 3);
+      const LinearCheckpoint inner([] {});  // asks nothing, as long as it is there
+      solver->set_tolerance(1e-2);
+      CHECK_NOTHROW(solve(*solver, system, x));
+    }
+    CHECK(asked == 3);
+  }
 }

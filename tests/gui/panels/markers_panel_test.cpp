@@ -1,5 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <fstream>
+#include <sstream>
+
 #include "gui/support/pixels.h"
 #include "gui/support/rig.h"
 
@@ -12,6 +15,27 @@ MarkerLook look(const Rig& rig, const std::string& marker) {
 }
 
 }  // namespace
+
+TEST_CASE("a marker may have a name of any length") {
+  Rig rig;
+  const TemporaryFolder meshes;
+  const std::filesystem::path path = write(meshes, two_body_mesh(), "one.su2");
+  std::ifstream in(path);
+  std::ostringstream text;
+  text << in.rdbuf();
+  std::string mesh = text.str();
+  const std::string name(70000, 'W');
+  mesh.replace(mesh.find("left"), 4, name);
+  std::ofstream(path) << mesh;
+  rig.bench->apply(action::OpenMesh{path, true});
+  REQUIRE(rig.settle());
+  const ScreenPoint row = rig.bench->widgets().find("marker/" + name)->centre();
+  rig.move(row);
+  rig.frames(60);  // until its tooltip is shown
+  rig.click("marker/" + name);
+  CHECK(rig.session().selection().contains(rig.marker(name)));
+  rig.frames(5);
+}
 
 TEST_CASE("a hidden marker is not drawn, and the mouse passes through it") {
   Rig rig;

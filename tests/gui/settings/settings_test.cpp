@@ -72,6 +72,15 @@ TEST_CASE("values that make no sense are as designed, unknown keys are kept") {
   CHECK_THROWS_AS(read_settings("17"), InputError);
 }
 
+TEST_CASE("settings of odd content are refused, and names that are none left out") {
+  CHECK_THROWS_AS(read_settings(std::string(1000000, '[')), InputError);
+  CHECK_THROWS_AS(read_settings(R"({"view": )" + std::string(1000000, '[')), InputError);
+  const std::string longer(70000, 'a');
+  const Settings settings =
+      read_settings(R"({"recent": ["a.su2", "b\u0000.su2", ")" + longer + R"(", "c.su2"]})");
+  CHECK(settings.recent == std::vector<std::string>{"a.su2", "c.su2"});
+}
+
 TEST_CASE("a second studio on the same profile looks as the first was left") {
   const TemporaryFolder home;
   const auto profile = home / "profile";

@@ -90,6 +90,34 @@ TEST_CASE("a file that is being written is no orphan") {
   CHECK(files_in(folder.path()) == 1);
 }
 
+TEST_CASE("writers of one file at the same time all succeed, and one of them wins") {
+  const TemporaryFolder folder;
+  constexpr int writers = 8, files_each = 200;
+  std::vector<pid_t> children;
+  for (int k = 0; k < writers; ++k) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      const std::string text(1000, static_cast<char>('a' + k));
+      try {
+        for (int i = 0; i < files_each; ++i)
+          io::write_atomically(folder / "a", [&](std::ostream& out) { out << text; });
+      } catch (const std::exception&) {
+        ::_exit(1);
+      }
+      ::_exit(0);
+    }
+    children.push_back(child);
+  }
+  for (const pid_t child : children) {
+    int status = 1;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    CHECK(status == 0);
+  }
+  const std::string text = read_text(folder / "a");
+  CHECK(text == std::string(1000, text.empty() ? ' ' : text[0]));
+  CHECK(files_in(folder.path()) == 1);
+}
+
 TEST_CASE("of files that belong together none is replaced unless all are written") {
   const TemporaryFolder folder;
   write_text(folder / "a", "old a");

@@ -12,6 +12,7 @@
 #include "gui/document/autosave/step_file.h"
 #include "io/file/atomic_file.h"
 #include "io/recipe/recipe.h"
+#include "io/text/text_file.h"
 
 namespace winslow::gui {
 
@@ -22,6 +23,8 @@ namespace {
 using nlohmann::json;
 
 constexpr int format_version = 1;
+constexpr int deepest = 100;                // deeper than any session
+constexpr std::size_t longest_name = 4096;  // of a path
 
 std::string step_name(std::uint64_t generation, std::uint64_t revision) {
   return "step-" + std::to_string(generation) + "-" + std::to_string(revision) + ".bin";
@@ -86,8 +89,11 @@ json manifest_of(const SessionRecord& session, const std::string& start) {
 
 json read_manifest(const fs::path& folder) {
   const fs::path path = folder / manifest_name;
-  std::ifstream file(path);
-  json document = json::parse(file, nullptr, false);
+  const std::string text = io::read_text_file(path);
+  if (io::nested_deeper(text, deepest))
+    throw InputError(path.string() + ": found more than " + std::to_string(deepest) +
+                     " lists in each other, expected a saved session");
+  json document = json::parse(text, nullptr, false);
   if (document.is_discarded() || !document.is_object())
     throw InputError(path.string() + ": found no JSON object, expected a saved session");
   return document;
@@ -96,11 +102,18 @@ json read_manifest(const fs::path& folder) {
 /// A value of the manifest. Throws InputError naming what is missing or of the wrong type.
 template <class Value>
 Value value_of(const json& object, const char* key, const fs::path& folder) {
-  try {
-    return object.at(key).get<Value>();
-  } catch (const json::exception&) {
+  const auto fail = [&] [[noreturn]] {
     throw InputError((folder / manifest_name).string() + ": found no fitting \"" + key +
                      "\", expected a saved session");
+  };
+  try {
+    Value value = object.at(key).get<Value>();
+    if constexpr (std::is_same_v<Value, std::string>)
+      // No file has such a name.
+      if (value.size() > longest_name || value.find('\0') != std::string::npos) fail();
+    return value;
+  } catch (const json::exception&) {
+    fail();
   }
 }
 

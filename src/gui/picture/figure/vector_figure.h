@@ -33,7 +33,7 @@ struct FigureScene {
   std::vector<FigureLine> lines;
   /// Replaces polygons and lines if there are too many: pixels for the whole of the mesh's part.
   std::optional<Image> raster;
-  bool wants_raster = false;      ///< there are too many polygons
+  bool wants_raster = false;      ///< there are too many polygons, or too many over one another
   std::vector<FigureLine> marks;  ///< axes and scale
   std::vector<FigureText> texts;
 };

@@ -49,15 +49,7 @@ class SceneFigure {
   FigureScene make() {
     for (const auto& part : parts_)
       for (const SpaceFill& fill : part->fills) add_fill(*part, fill);
-    const ScreenVector size = camera_.viewport().size();
-    const HiddenSurface hidden(size.x(), size.y(), polygons_);
-    const std::vector<std::size_t> order = hidden.order();
-    figure_.wants_raster = order.size() > options_.most_polygons;
-    if (!figure_.wants_raster) {
-      for (const std::size_t k : order) put_polygon(k);
-      for (const auto& part : parts_)
-        for (const SpaceLines& lines : part->lines) add_lines(*part, lines, hidden);
-    }
+    figure_.wants_raster = layers() > options_.most_layers || !put_what_is_seen();
     if (options_.axes) add_axes();
     if (options_.scale_bar && !camera_.in_perspective()) add_scale_bar();
     return std::move(figure_);
@@ -108,6 +100,38 @@ class SceneFigure {
       colors_.push_back(color);
       alphas_.push_back(static_cast<double>(fill.opacity));
     }
+  }
+
+  /// How often the polygons cover the page, at most: each as its area, or as its box on the page.
+  double layers() const {
+    const ScreenVector size = camera_.viewport().size();
+    double sum = 0;
+    for (const SeenPolygon& polygon : polygons_) {
+      double doubled = 0;
+      ScreenVector low = size, high(0, 0);
+      for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+        const Vec3 &a = polygon.corners[k], &b = polygon.corners[(k + 1) % polygon.corners.size()];
+        doubled += a.x() * b.y() - b.x() * a.y();
+        const ScreenVector inside(std::clamp(a.x(), 0.0, size.x()),
+                                  std::clamp(a.y(), 0.0, size.y()));
+        low = ScreenVector(std::min(low.x(), inside.x()), std::min(low.y(), inside.y()));
+        high = ScreenVector(std::max(high.x(), inside.x()), std::max(high.y(), inside.y()));
+      }
+      sum += std::min(0.5 * std::abs(doubled), (high.x() - low.x()) * (high.y() - low.y()));
+    }
+    return sum / (size.x() * size.y());
+  }
+
+  /// False if it is too much, and nothing is put.
+  bool put_what_is_seen() {
+    const ScreenVector size = camera_.viewport().size();
+    const HiddenSurface hidden(size.x(), size.y(), polygons_);
+    const std::vector<std::size_t> order = hidden.order();
+    if (order.size() > options_.most_polygons) return false;
+    for (const std::size_t k : order) put_polygon(k);
+    for (const auto& part : parts_)
+      for (const SpaceLines& lines : part->lines) add_lines(*part, lines, hidden);
+    return true;
   }
 
   void put_polygon(std::size_t k) {

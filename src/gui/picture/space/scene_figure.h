@@ -15,11 +15,15 @@ struct SceneFigureOptions {
   double font_size = 10;
   /// A larger number is better drawn as pixels.
   std::size_t most_polygons = 60'000;
+  /// How often the polygons may cover the page. A tangled mesh covers it some thousand times: to
+  /// find what is seen of it would take minutes, and its faces cross each other, so that no order
+  /// of drawing them is right.
+  double most_layers = 20;
 };
 
 /// Converts what a camera sees of a scene, without hidden surfaces and lines. camera: its viewport,
-/// in points, has its corner at 0. If there are too many polygons, the result has wants_raster set,
-/// and neither polygons nor lines.
+/// in points, has its corner at 0. If there are too many polygons, or too many over one another,
+/// the result has wants_raster set, and neither polygons nor lines.
 FigureScene figure_of_scene(std::span<const std::shared_ptr<const SpaceScene>> parts,
                             std::span<const Plane> planes, const SpaceCamera& camera,
                             const SceneFigureOptions& options);

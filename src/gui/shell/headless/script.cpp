@@ -2,11 +2,12 @@
 
 #include <cctype>
 #include <charconv>
-#include <fstream>
+#include <sstream>
 
 #include "core/error.h"
 #include "gui/picture/figure/vector_figure.h"
 #include "io/recipe/recipe.h"
+#include "io/text/text_file.h"
 
 namespace winslow::gui {
 
@@ -105,8 +106,7 @@ std::vector<int> parse_keys(const std::string& text) {
 }
 
 Script read_script(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw InputError(file.string() + ": this script cannot be read");
+  std::istringstream in(io::read_text_file(file));
   Script script{file, {}};
   int number = 0;
   for (std::string line; std::getline(in, line);) {
@@ -116,7 +116,6 @@ Script read_script(const std::filesystem::path& file) {
     check(words, where);
     script.lines.push_back({number, std::move(words)});
   }
-  if (in.bad()) throw InputError(file.string() + ": this script cannot be read");
   return script;
 }
 

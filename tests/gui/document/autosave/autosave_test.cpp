@@ -259,6 +259,41 @@ TEST_CASE("a damaged manifest or mesh is reported, and can be deleted") {
   }
 }
 
+TEST_CASE("a manifest of odd content is refused in words") {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const std::string& text) -> std::string {
+    std::ofstream(folder / manifest_name, std::ios::binary) << text;
+    try {
+      read_session(folder / ".");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const auto about = [](const std::string& source) {
+    return R"({"winslow_session": 1, "source": ")" + source +
+           R"(", "steps": [], "time": "now", "mesh": "mesh-1.su2"})";
+  };
+  const std::string nested(1000000, '[');
+  CHECK(refusal(nested).find("more than 100 lists in each other") != std::string::npos);
+  CHECK(refusal(R"({"winslow_session": 1, "steps": )" + nested).find("in each other") !=
+        std::string::npos);
+  CHECK(refusal(about("a.su2\\u0000.vtk")).find("no fitting \"source\"") != std::string::npos);
+  CHECK(refusal(about(std::string(70000, 'a'))).find("no fitting \"source\"") != std::string::npos);
+  // With a name that can be one it goes on to the mesh, which is not there.
+  CHECK(refusal(about("a.su2")).find("mesh-1.su2") != std::string::npos);
+}
+
+TEST_CASE("a session of a million nested lists does not keep the studio from starting") {
+  TemporaryFolder profile;
+  const fs::path folder = profile / "autosave/1-1";
+  fs::create_directories(folder);
+  std::ofstream(folder / manifest_name) << std::string(1000000, '[');
+  Rig rig(1280, 720, profile.path());
+  REQUIRE(offered(rig));
+  CHECK(rig.session().messages().prompt()->kind == Prompt::Kind::error);
+}
+
 TEST_CASE("what came after an undone step is written once and goes when it is forgotten") {
   TemporaryFolder profile;
   Rig rig(1280, 720, profile.path());
