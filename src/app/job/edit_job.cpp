@@ -195,6 +195,7 @@ void write_recipe(const EditJob& job) {
   if (!job.files.reference_mesh.empty())
     written.reference_mesh = relative(job.files.reference_mesh);
   io::write_recipe(recipe, written);
+  written.regions = job.files.regions;
 }
 
 bool moves_nothing(const RunReport& run) {
@@ -225,7 +226,7 @@ void save(const EditJob& job, const std::vector<ZoneRun>& zones, RunReport& run)
 
 /// Reads the mesh, or the zones that the commands change.
 std::vector<ZoneRun> load(const EditJob& job, RunReport& run) {
-  std::vector<io::MeshFile> files = read_zones(job.files.input, job.files.zone);
+  std::vector<io::MeshFile> files = read_zones(job.files.input, job.files.zone, job.files.regions);
   if (files.size() > 1 && !io::keeps_zones(job.files.output, *files[0].details)) {
     throw UsageError(job.files.output + ": cannot hold the " + std::to_string(files.size()) +
                      " zones of " + job.files.input + "; choose one with --zone N");
@@ -255,6 +256,7 @@ nlohmann::json make_report(const std::vector<ZoneRun>& zones, const RunReport& r
   }
   return describe_run(run, results);
 }
+    results.back().regions_array = zone.source.details->regions_array;
 
 }  // namespace
 

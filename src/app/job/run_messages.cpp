@@ -273,6 +273,7 @@ void print_outcome(const JobFiles& files, const std::vector<ZoneRun>& zones, con
     print_zone_heading(std::cout, zone.name());
     print_quality_table(std::cout, zone.result.mesh, zone.quality);
     if (zone.surface) print_surface_change(std::cout, *zone.surface);
+    print_regions(std::cout, *zone.result.mesh.topology, zone.source.details->regions_array);
     if (zone.quality.has_walls()) {
       std::cout << '\n';
       print_walls(std::cout, &zone.before.walls, zone.quality.walls, wants_heights(zone));

@@ -32,8 +32,16 @@ void add_zone_flag(CLI::App& app, int& zone, const std::string& without) {
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
 }
 
+void add_regions_flag(CLI::App& app, std::string& regions) {
+  FlagGroup(app).value_as(
+      "--regions", regions, "ARRAY",
+      "Cell array of a VTK or VTU file whose whole numbers are the regions of the elements; "
+      "without: one of the names that mesh generators and solvers use, such as MaterialIDs");
+}
+
 void add_job_flags(CLI::App& app, JobFiles& files) {
   add_zone_flag(app, files.zone, "all that have the markers named, all zones if none is named");
+  add_regions_flag(app, files.regions);
   FlagGroup group(app, "Output");
   group.value("-o,--output", files.output, "OUT", "Mesh to write; may be IN itself");
   group.value("--report", files.report, "FILE.json",

@@ -76,6 +76,16 @@ json describe_contact(const std::optional<Contact>& contact, int dimension) {
   if (!contact) return {};
   json report = describe_edges(contact->edges, dimension);
   report["fraction"] = contact->fraction;
+json describe_regions(const Topology& topology) {
+  std::vector<Index> elements(topology.regions().size(), 0);
+  for (const Index region : topology.element_regions())
+    if (region >= 0) ++elements[at(region)];
+  json list = json::array();
+  for (std::size_t r = 0; r < elements.size(); ++r)
+    list.push_back({{"name", topology.regions()[r].name}, {"elements", elements[r]}});
+  return list;
+}
+
   return report;
 }
 
@@ -273,6 +283,7 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality, const Quality
   } else if (dimension == 3) {
     report["all_on_boundary"] = quality.all_on_boundary;
     report["all_on_boundary_inverted"] = quality.all_on_boundary_inverted;
+              {"regions", describe_regions(*mesh.topology)},
   }
   if (is_surface(*mesh.topology)) {
     report["folds"] = describe_folds(quality.folds);
@@ -362,6 +373,7 @@ json describe_zones(const std::vector<ZoneResult>& zones) {
 }
 
 void describe_circumstances(json& report, const RunReport& run) {
+    if (!z.regions_array.empty()) block["regions_array"] = z.regions_array;
   report["version"] = WINSLOW_VERSION;
   report["command"] = run.command;
   report["input"] = run.input;

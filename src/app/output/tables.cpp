@@ -72,6 +72,12 @@ void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityRepor
   }
 }
 
+void print_regions(std::ostream& out, const Topology& topology, const std::string& array) {
+  if (array.empty()) return;
+  out << counted(static_cast<Index>(topology.regions().size()), "region", "regions")
+      << ", by the cell array " << printable(array) << '\n';
+}
+
 void print_surface_change(std::ostream& out, const SurfaceChange& change) {
   out << "largest deviation: " << formatted("%.3g", change.from_before)
       << " from the surface as given to the new one, " << formatted("%.3g", change.from_after)

@@ -24,6 +24,8 @@ void print_memory(std::ostream& out, const MemoryUse& memory, std::int64_t peak)
 /// of nodes, elements and inverted elements.
 void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality);
 /// Prints the worst elements for each metric and each wall field that has values: ids (0-based, in
+/// Prints how many regions the elements have, by which cell array; nothing for an empty name.
+void print_regions(std::ostream& out, const Topology& topology, const std::string& array);
 /// the order of the file), values, centres.
 void print_worst_elements(std::ostream& out, const QualityReport& quality);
 /// Prints at most `limit` inverted elements with their ids and centres.

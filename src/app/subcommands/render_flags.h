@@ -29,6 +29,7 @@ struct VolumeFlags {
 struct RenderFlags {
   std::string input, output;
   int zone = 0;
+  std::string regions;
   std::string color, map = "automatic", axis = "automatic", title;
   std::optional<std::array<double, 4>> bounds;
   std::optional<std::array<double, 2>> range, percentiles;

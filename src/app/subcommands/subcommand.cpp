@@ -212,6 +212,7 @@ class ReplaySubcommand : public Subcommand {
       files_.output = (folder / recipe.output).string();
     }
     if (files_.zone == 0) files_.zone = recipe.zone;
+    if (files_.regions.empty()) files_.regions = recipe.regions;
     if (files_.reference_mesh.empty() && !recipe.reference_mesh.empty())
       files_.reference_mesh = (folder / recipe.reference_mesh).string();
     if (files_.input.empty()) {

@@ -108,6 +108,28 @@ const MeshFormat* folder_format(const std::filesystem::path& path, std::filesyst
   return nullptr;
 }
 
+ParsedMesh parse(const MeshFormat& format, Source& source, const ReadOptions& options) {
+  if (format.read_arrays) return format.read_arrays(source, options.regions);
+  if (!options.regions.empty()) {
+    throw UsageError(source.name() + ": no cell array \"" + options.regions + "\": " +
+                     std::string(format.title) + " files hold no arrays that could be regions");
+  }
+  return format.read_zone ? format.read_zone(source, options.zone) : format.read(source);
+}
+
+/// Sentences about what a source holds and a format cannot hold.
+std::vector<std::string> losses(const MeshFormat& format, const FormatDetails& details) {
+  std::vector<std::string> warnings;
+  if (details.periodic && !format.keeps_periodic) {
+    if (const std::string names = named_pairs(*details.periodic); !names.empty())
+      warnings.push_back("the periodic pairs of the source (" + names + ") are not written");
+  }
+  if (!format.keeps_data && !details.data_names().empty())
+    warnings.push_back("data on points, cells and the field are not written: " +
+                       details.data_names());
+  return warnings;
+}
+
 }  // namespace
 
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
@@ -123,8 +145,7 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
     throw UsageError(source.name() + ": no zone " + std::to_string(options.zone) +
                      ": a file of this format is one mesh");
   }
-  ParsedMesh parsed = file.format->read_zone ? file.format->read_zone(source, options.zone)
-                                             : file.format->read(source);
+  ParsedMesh parsed = parse(*file.format, source, options);
   parsed.details->nodes = parsed.data.node_count();
   parsed.details->elements = parsed.data.element_count();
   turn_to_viewer(parsed);
@@ -227,9 +248,8 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
                        std::to_string(details->zones.size()) + " is written");
   }
   for (const MeshZone& zone : zones) {
-    if (zone.details == nullptr || !zone.details->periodic || format->keeps_periodic) continue;
-    if (const std::string names = named_pairs(*zone.details->periodic); !names.empty())
-      warnings.push_back("the periodic pairs of the source (" + names + ") are not written");
+    if (zone.details == nullptr) continue;
+    for (std::string& loss : losses(*format, *zone.details)) warnings.push_back(std::move(loss));
   }
   for (std::string& warning : warnings) warning = path.string() + ": " + warning;
   return warnings;

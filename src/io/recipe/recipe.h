@@ -24,6 +24,8 @@ struct Recipe {
   int zone = 0;  ///< for an input of several zones: the zone to change; 0: all
   /// Mesh whose element shapes motions keep, relative to the recipe; empty: the input.
   std::string reference_mesh = {};
+  /// Name of the cell array of the input that holds the regions; empty: one of the known names.
+  std::string regions = {};
 };
 
 nlohmann::json to_json(const Command& command);
