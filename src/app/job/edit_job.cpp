@@ -3,6 +3,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "app/job/held_motion.h"
 #include "app/job/run_messages.h"
 #include "core/error.h"
 #include "core/strategy/run.h"
@@ -167,6 +168,8 @@ bool complete(const RunReport& run) {
 
 ExitCode judge(const RunReport& run, const std::vector<ZoneRun>& zones) {
   if (inverted_elements(zones) > 0 || !complete(run)) return ExitCode::inverted;
+  const auto held = [](const ZoneRun& zone) { return find_held_motion(zone).has_value(); };
+  if (std::ranges::any_of(zones, held)) return ExitCode::held;
   return all_converged(run.commands) ? ExitCode::done : ExitCode::not_converged;
 }
 
@@ -192,10 +195,10 @@ void write_recipe(const EditJob& job) {
   };
   io::Recipe written{relative(job.files.input), relative(job.files.output), job.commands,
                      job.files.zone};
+  written.regions = job.files.regions;
   if (!job.files.reference_mesh.empty())
     written.reference_mesh = relative(job.files.reference_mesh);
   io::write_recipe(recipe, written);
-  written.regions = job.files.regions;
 }
 
 bool moves_nothing(const RunReport& run) {
@@ -253,10 +256,10 @@ nlohmann::json make_report(const std::vector<ZoneRun>& zones, const RunReport& r
     results.push_back({zone.number(), &zone.result.mesh, &zone.quality, &zone.before,
                        zone.result.layers ? &*zone.result.layers : nullptr,
                        zone.surface ? &*zone.surface : nullptr});
+    results.back().regions_array = zone.source.details->regions_array;
   }
   return describe_run(run, results);
 }
-    results.back().regions_array = zone.source.details->regions_array;
 
 }  // namespace
 

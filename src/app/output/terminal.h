@@ -16,6 +16,7 @@ enum class ExitCode {
   input = 3,          ///< a file that cannot be read, is wrong, or cannot be written
   inverted = 4,       ///< the result has inverted elements, or the motion was not completed
   not_converged = 5,  ///< not converged: the limit of iterations, or no gain any more
+  held = 7,           ///< a body moved, and no other node of the mesh followed
   interrupted = 130,  ///< stopped by Ctrl-C or SIGTERM
 };
 
@@ -25,8 +26,9 @@ inline constexpr std::string_view exit_code_help =
     "written; 4 the result has inverted elements (nothing is written unless --allow-inverted), or\n"
     "the motion could not be completed (nothing is written unless --accept-partial); 5 not "
     "converged\n"
-    "within the limit, or nothing gained any more (written if valid); 130 interrupted (nothing\n"
-    "written).";
+    "within the limit, or nothing gained any more (written if valid); 7 a body moved, and no "
+    "other\n"
+    "node of the mesh followed (written if valid); 130 interrupted (nothing written).";
 
 /// Formats like printf(), truncated to 199 characters.
 template <class... Values>
