@@ -3,6 +3,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "app/job/held_motion.h"
 #include "app/job/run_messages.h"
 #include "core/error.h"
 #include "core/strategy/run.h"
@@ -192,6 +193,8 @@ bool complete(const RunReport& run) {
 
 ExitCode judge(const RunReport& run, const std::vector<ZoneRun>& zones) {
   if (inverted_elements(zones) > 0 || !complete(run)) return ExitCode::inverted;
+  const auto held = [](const ZoneRun& zone) { return find_held_motion(zone).has_value(); };
+  if (std::ranges::any_of(zones, held)) return ExitCode::held;
   return all_converged(run.commands) ? ExitCode::done : ExitCode::not_converged;
 }
 
@@ -216,7 +219,8 @@ void write_recipe(const EditJob& job) {
     return fs::proximate(fs::absolute(path), folder).generic_string();
   };
   io::Recipe written{relative(job.files.input), relative(job.files.output), job.commands,
-                     job.files.zone};
+                     job.files.reading.zone};
+  written.regions = job.files.reading.regions;
   if (!job.files.reference_mesh.empty())
     written.reference_mesh = relative(job.files.reference_mesh);
   io::write_recipe(recipe, written);
@@ -250,7 +254,7 @@ void save(const EditJob& job, const std::vector<ZoneRun>& zones, RunReport& run)
 
 /// Reads the mesh, or the zones that the commands change.
 std::vector<ZoneRun> load(const EditJob& job, RunReport& run) {
-  std::vector<io::MeshFile> files = read_zones(job.files.input, job.files.zone);
+  std::vector<io::MeshFile> files = read_zones(job.files.input, job.files.reading);
   if (files.size() > 1 && !io::keeps_zones(job.files.output, *files[0].details)) {
     throw UsageError(job.files.output + ": cannot hold the " + std::to_string(files.size()) +
                      " zones of " + job.files.input + "; choose one with --zone N");
@@ -277,6 +281,7 @@ nlohmann::json make_report(const std::vector<ZoneRun>& zones, const RunReport& r
     results.push_back({zone.number(), &zone.result.mesh, &zone.quality, &zone.before,
                        zone.result.layers ? &*zone.result.layers : nullptr,
                        zone.surface ? &*zone.surface : nullptr});
+    results.back().regions_array = zone.source.details->regions_array;
   }
   return describe_run(run, results);
 }

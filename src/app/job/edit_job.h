@@ -28,9 +28,9 @@ struct ZoneRun {
 /// Number of inverted elements of all results.
 Index inverted_elements(const std::vector<ZoneRun>& zones);
 
-/// Reads the zone of that number; 0: all zones, in the order of the file. A file without zones is
-/// one mesh. Throws what io::read_mesh throws.
-std::vector<io::MeshFile> read_zones(const std::string& path, int zone);
+/// Reads the zone that the options name; 0: all zones, in the order of the file. A file without zones
+/// is one mesh. Throws what io::read_mesh throws.
+std::vector<io::MeshFile> read_zones(const std::string& path, const io::ReadOptions& options);
 
 /// Warnings of all files without duplicates.
 std::vector<std::string> warnings_of(const std::vector<io::MeshFile>& files);

@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "app/job/held_motion.h"
 #include "app/output/tables.h"
 #include "core/error.h"
 #include "core/mesh/coordinates.h"
@@ -272,6 +273,7 @@ void print_outcome(const JobFiles& files, const std::vector<ZoneRun>& zones, con
     std::cout << '\n';
     print_zone_heading(std::cout, zone.name());
     print_quality_table(std::cout, zone.result.mesh, zone.quality);
+    print_regions(std::cout, *zone.result.mesh.topology, zone.source.details->regions_array);
     if (zone.surface) print_surface_change(std::cout, *zone.surface);
     if (zone.quality.has_walls()) {
       std::cout << '\n';
@@ -309,6 +311,10 @@ void print_verdict(const JobFiles& files, const std::vector<ZoneRun>& zones, con
     }
     if (holds_interfaces(run))
       std::cerr << "  nodes in which regions meet were held: --free-interfaces lets them go\n";
+  } else if (code == ExitCode::held) {
+    for (const ZoneRun& zone : zones)
+      if (const auto held = find_held_motion(zone))
+        std::cerr << "winslow: " << printable(describe(*held, moving_markers(zone))) << '\n';
   } else if (code == ExitCode::not_converged) {
     const bool at_limit = std::ranges::none_of(
         run.commands, [](const CommandRecord& command) { return gains_no_more(command.result); });

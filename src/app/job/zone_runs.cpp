@@ -122,10 +122,10 @@ Index inverted_elements(const std::vector<ZoneRun>& zones) {
   return sum;
 }
 
-std::vector<io::MeshFile> read_zones(const std::string& path, int zone) {
-  if (zone == 0) return io::read_mesh_zones(path);
+std::vector<io::MeshFile> read_zones(const std::string& path, const io::ReadOptions& options) {
+  if (options.zone == 0) return io::read_mesh_zones(path, options);
   std::vector<io::MeshFile> files;
-  files.push_back(io::read_mesh(path, {.zone = zone}));
+  files.push_back(io::read_mesh(path, options));
   return files;
 }
 

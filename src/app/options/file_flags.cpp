@@ -32,8 +32,18 @@ void add_zone_flag(CLI::App& app, int& zone, const std::string& without) {
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
 }
 
+void add_reading_flags(CLI::App& app, io::ReadOptions& reading, const std::string& without_zone) {
+  add_zone_flag(app, reading.zone, without_zone);
+  FlagGroup group(app);
+  group.value_as(
+      "--regions", reading.regions, "ARRAY",
+      "Cell array of a VTK or VTU file whose whole numbers are the regions of the elements; "
+      "without: one of the names that mesh generators and solvers use, such as MaterialIDs");
+}
+
 void add_job_flags(CLI::App& app, JobFiles& files) {
-  add_zone_flag(app, files.zone, "all that have the markers named, all zones if none is named");
+  add_reading_flags(app, files.reading,
+                    "all that have the markers named, all zones if none is named");
   FlagGroup group(app, "Output");
   group.value("-o,--output", files.output, "OUT", "Mesh to write; may be IN itself");
   group.value("--report", files.report, "FILE.json",

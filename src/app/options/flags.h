@@ -56,7 +56,7 @@ inline constexpr std::string_view standard_output = "-";
 /// Files and output options of a job that changes a mesh.
 struct JobFiles {
   std::string input;
-  int zone = 0;                        ///< zone of the input; 0: all zones
+  io::ReadOptions reading;             ///< of the input; zone 0: all zones
   std::string reference_mesh;          ///< whose shapes motions keep; empty: the input
   std::vector<std::string> also_read;  ///< other files that are read: a recipe, tables
   std::string output;
@@ -75,8 +75,10 @@ void add_input(CLI::App& app, std::string& input);
 void add_inputs(CLI::App& app, std::vector<std::string>& inputs);
 /// Declares --zone; `without`: text for the help on what happens without it.
 void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
-/// Declares --zone, -o, --report, --history, --memory, --allow-inverted, --accept-partial, --quiet
-/// and those of add_encoding_flags.
+/// Declares --zone and --regions. without_zone: text for the help on what happens without --zone.
+void add_reading_flags(CLI::App& app, io::ReadOptions& reading, const std::string& without_zone);
+/// Declares those of add_reading_flags, -o, --report, --history, --memory, --allow-inverted,
+/// --accept-partial, --quiet and those of add_encoding_flags.
 void add_job_flags(CLI::App& app, JobFiles& files);
 /// Declares --reference-mesh.
 void add_reference_mesh_flag(CLI::App& app, JobFiles& files);

@@ -7,6 +7,7 @@
 #include "app/output/tables.h"
 #include "app/output/terminal.h"
 #include "core/layers/layer_stack.h"
+#include "core/quality/movable_statistics.h"
 #include "core/version.h"
 
 namespace winslow::app {
@@ -22,7 +23,7 @@ namespace {
 using nlohmann::json;
 
 json describe_statistics(const Statistics& s) {
-  return {{"min", s.min}, {"avg", s.avg}, {"max", s.max}};
+  return {{"min", s.min}, {"avg", s.avg}, {"max", s.max}};  // NaN becomes null
 }
 
 /// Writes as many components as the mesh has dimensions.
@@ -53,6 +54,15 @@ json describe_metrics(const QualityReport& quality) {
   return metrics;
 }
 
+/// The same of the elements of a volume mesh that can move.
+json describe_movable(const Mesh& mesh) {
+  json metrics;
+  const std::vector<Statistics> statistics = movable_statistics(mesh);
+  for (std::size_t m = 0; m < statistics.size(); ++m)
+    metrics[std::string(metric_name(reported_metrics(3)[m]))] = describe_statistics(statistics[m]);
+  return metrics;
+}
+
 /// Name and size of each marker; "edges" of a plane or surface mesh, "faces" of a volume mesh.
 json describe_markers(const Topology& topology) {
   const std::string faces = std::string(words_of(topology.kind()).face) + 's';
@@ -63,6 +73,16 @@ json describe_markers(const Topology& topology) {
                     {"nodes", topology.markers().nodes(static_cast<Index>(m)).size()},
                     {faces, marker.faces.size()}});
   }
+  return list;
+}
+
+json describe_regions(const Topology& topology) {
+  std::vector<Index> elements(topology.regions().size(), 0);
+  for (const Index region : topology.element_regions())
+    if (region >= 0) ++elements[at(region)];
+  json list = json::array();
+  for (std::size_t r = 0; r < elements.size(); ++r)
+    list.push_back({{"name", topology.regions()[r].name}, {"elements", elements[r]}});
   return list;
 }
 
@@ -263,6 +283,7 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality, const Quality
               {"nodes", mesh.topology->node_count()},
               {"elements", mesh.topology->element_count()},
               {"markers", describe_markers(*mesh.topology)},
+              {"regions", describe_regions(*mesh.topology)},
               {"inverted", quality.inverted},
               {"inverted_elements", inverted},
               {"quality", describe_metrics(quality)},
@@ -273,6 +294,7 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality, const Quality
   } else if (dimension == 3) {
     report["all_on_boundary"] = quality.all_on_boundary;
     report["all_on_boundary_inverted"] = quality.all_on_boundary_inverted;
+    if (quality.all_on_boundary > 0) report["quality_movable"] = describe_movable(mesh);
   }
   if (is_surface(*mesh.topology)) {
     report["folds"] = describe_folds(quality.folds);
@@ -351,6 +373,7 @@ json describe_zones(const std::vector<ZoneResult>& zones) {
     if (z.surface != nullptr) block["surface"] = describe_surface(*z.surface);
     if (z.periodic != nullptr && !z.periodic->pairs.empty())
       block["periodic_in_file"] = describe_pairs(*z.periodic, *z.mesh);
+    if (!z.regions_array.empty()) block["regions_array"] = z.regions_array;
     if (z.zone != 0) block["zone"] = z.zone;
     list.push_back(std::move(block));
     nodes += z.mesh->topology->node_count();

@@ -88,6 +88,7 @@ struct ZoneResult {
   const SurfaceChange* surface = nullptr;  ///< change of a surface mesh by the run; else null
   /// Periodic sides that the file names for this mesh; null: not reported.
   const GivenPeriodicity* periodic = nullptr;
+  std::string regions_array = {};  ///< name of the array that holds the regions; empty: none
 };
 
 /// Describes meshes. One mesh: describe_mesh() and its other blocks. Several: the sums of "nodes",

@@ -6,14 +6,17 @@
 #include "app/output/terminal.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/coordinates.h"
+#include "core/quality/movable_statistics.h"
 
 namespace winslow::app {
 namespace {
 
 constexpr int bar_width = 50;
 
-/// Formats with three decimals; very small and very large numbers in scientific notation.
+/// Formats with three decimals; very small and very large numbers in scientific notation. NaN: what
+/// was not measured.
 std::string number(double value) {
+  if (std::isnan(value)) return formatted("%11s", "-");
   const double size = std::abs(value);
   const bool plain = size == 0 || (size >= 0.01 && size < 1e5);
   return formatted(plain ? "%11.3f" : "%11.3e", value);
@@ -52,24 +55,47 @@ void print_memory(std::ostream& out, const MemoryUse& memory, std::int64_t peak)
   if (memory.total() > 0 && rest > 0) line("not counted", rest);
 }
 
+namespace {
+
+/// A line for each metric. statistics: in the order of reported_metrics().
+void print_statistics(std::ostream& out, int dimension, std::span<const Statistics> statistics) {
+  const auto& metrics = reported_metrics(dimension);
+  for (std::size_t m = 0; m < metrics.size(); ++m) {
+    const Statistics& s = statistics[m];
+    out << formatted("%-22s", std::string(metric_info(metrics[m], dimension).field.label).c_str())
+        << number(s.min) << number(s.avg) << number(s.max)
+        << (std::isnan(s.avg) ? "  not measured: infinite in every element\n" : "\n");
+  }
+}
+
+}  // namespace
+
 void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality) {
   out << formatted("%-22s%11s%11s%11s\n", "", "minimum", "average", "maximum");
-  for (const Metric m : reported_metrics(quality.cell_dimension)) {
-    const Statistics& s = quality.of(m).statistics;
-    out << formatted("%-22s",
-                     std::string(metric_info(m, quality.cell_dimension).field.label).c_str())
-        << number(s.min) << number(s.avg) << number(s.max) << '\n';
-  }
+  std::vector<Statistics> of_all;
+  for (const QualityReport::PerMetric& metric : quality.metrics)
+    of_all.push_back(metric.statistics);
+  print_statistics(out, quality.cell_dimension, of_all);
   out << counted(mesh.topology->node_count(), "node", "nodes") << ", "
       << counted(mesh.topology->element_count(), "element", "elements") << ", " << quality.inverted
       << " inverted\n";
-  if (quality.all_on_boundary > 0) {
-    out << counted(quality.all_on_boundary, "element has", "elements have")
-        << " all nodes on the boundary and cannot move: not measured above";
-    if (quality.all_on_boundary_inverted > 0)
-      out << ", " << quality.all_on_boundary_inverted << " of them inverted";
-    out << '\n';
+  if (quality.all_on_boundary == 0) return;
+  out << counted(quality.all_on_boundary, "element has", "elements have")
+      << " all nodes on the boundary and cannot move";
+  if (quality.all_on_boundary_inverted > 0)
+    out << " (" << quality.all_on_boundary_inverted << " inverted)";
+  if (quality.all_on_boundary == quality.elements) {
+    out << ": smoothing changes nothing unless boundary nodes slide (--slide NAME)\n";
+    return;
   }
+  out << "; without them:\n";
+  print_statistics(out, quality.cell_dimension, movable_statistics(mesh));
+}
+
+void print_regions(std::ostream& out, const Topology& topology, const std::string& array) {
+  if (array.empty()) return;
+  out << counted(static_cast<Index>(topology.regions().size()), "region", "regions")
+      << ", by the cell array " << printable(array) << '\n';
 }
 
 void print_surface_change(std::ostream& out, const SurfaceChange& change) {

@@ -20,9 +20,12 @@ void print_zone_heading(std::ostream& out, const std::string& name);
 /// Prints the parts of the memory of a run, those that are not 0, and what is left of its peak
 /// (bytes).
 void print_memory(std::ostream& out, const MemoryUse& memory, std::int64_t peak);
-/// Minimum, average and maximum of the three metrics, as the paper tabulates them, and the number
-/// of nodes, elements and inverted elements.
+/// Minimum, average and maximum of the three metrics over all elements, as the paper tabulates
+/// them, and the number of nodes, elements and inverted elements; then the same without the
+/// elements of a volume mesh that cannot move, if there are some.
 void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality);
+/// Prints how many regions the elements have, by which cell array; nothing for an empty name.
+void print_regions(std::ostream& out, const Topology& topology, const std::string& array);
 /// Prints the worst elements for each metric and each wall field that has values: ids (0-based, in
 /// the order of the file), values, centres.
 void print_worst_elements(std::ostream& out, const QualityReport& quality);

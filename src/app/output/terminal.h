@@ -17,6 +17,7 @@ enum class ExitCode {
   inverted = 4,       ///< the result has inverted elements, or the motion was not completed
   not_converged = 5,  ///< not converged: the limit of iterations, or no gain any more
   tangled_rest = 6,   ///< the mesh whose shapes the targets keep has inverted elements
+  held = 7,           ///< a body moved, and no other node of the mesh followed
   interrupted = 130,  ///< stopped by Ctrl-C or SIGTERM
 };
 
@@ -27,7 +28,8 @@ inline constexpr std::string_view exit_code_help =
     "the motion could not be completed (nothing is written unless --accept-partial); 5 not "
     "converged\n"
     "within the limit, or nothing gained any more (written if valid); 6 the mesh whose shapes the\n"
-    "targets keep is tangled (nothing written); 130 interrupted (nothing written).";
+    "targets keep is tangled (nothing written); 7 a body moved, and no other node of the mesh\n"
+    "followed (written if valid); 130 interrupted (nothing written).";
 
 /// Formats like printf(), truncated to 199 characters.
 template <class... Values>

@@ -17,7 +17,7 @@ class ConvertSubcommand : public Subcommand {
       : Subcommand(program.add_subcommand(
             "convert", "Write a mesh in another format, its nodes where they are")) {
     add_input(app(), input_);
-    add_zone_flag(app(), zone_, "all zones, where OUT can hold them");
+    add_reading_flags(app(), reading_, "all zones, where OUT can hold them");
     app().add_option("OUT", output_, "Mesh to write; its extension says the format")->type_name("");
     FlagGroup(app(), "Output")
         .value("-o,--output", output_flag_, "OUT", "The same as OUT, as other commands take it");
@@ -29,10 +29,10 @@ class ConvertSubcommand : public Subcommand {
     choose_output();
     check_mesh_output(output_);
     const InterruptGuard interrupts;
-    const std::vector<io::MeshFile> files = read_zones(input_, zone_);
+    const std::vector<io::MeshFile> files = read_zones(input_, reading_);
     InterruptGuard::check();
     const SignalsHeld held;
-    encoding_.zone_alone = zone_ != 0;
+    encoding_.zone_alone = reading_.zone != 0;
     std::vector<io::MeshZone> meshes;
     for (const io::MeshFile& file : files) meshes.push_back({&file.mesh, file.details.get()});
     std::vector<std::string> warnings = warnings_of(files);
@@ -76,7 +76,7 @@ class ConvertSubcommand : public Subcommand {
   }
 
   std::string input_, output_, output_flag_;
-  int zone_ = 0;
+  io::ReadOptions reading_;
   io::WriteOptions encoding_;
   bool quiet_ = false;
 };

@@ -33,7 +33,7 @@ nlohmann::json describe(const MeasuredFile& file) {
   std::vector<ZoneResult> results;
   for (const ZoneRun& z : file.zones) {
     results.push_back({z.number(), &z.source.mesh, &z.quality, nullptr, nullptr, nullptr,
-                       z.source.details->periodic.get()});
+                       z.source.details->periodic.get(), z.source.details->regions_array});
   }
   return describe_zones(results);
 }
@@ -116,7 +116,7 @@ class QualitySubcommand : public Subcommand {
             "Print the quality of meshes and their worst elements; exit status 4 if any element is "
             "inverted")) {
     add_inputs(app(), inputs_);
-    add_zone_flag(app(), zone_, "every zone is reported");
+    add_reading_flags(app(), reading_, "every zone is reported");
     FlagGroup group(app());
     worst_flag_ = group
                       .value_as("--worst", options_.worst, "N [10]",
@@ -186,7 +186,7 @@ class QualitySubcommand : public Subcommand {
   MeasuredFile measure(const std::string& input, Timings& seconds) const {
     Stopwatch lap;
     MeasuredFile file{input, {}, {}};
-    std::vector<io::MeshFile> meshes = read_zones(input, zone_);
+    std::vector<io::MeshFile> meshes = read_zones(input, reading_);
     file.warnings = warnings_of(meshes);
     file.zones = share_out(std::move(meshes), {}, input);
     seconds.load += lap.lap();
@@ -264,6 +264,7 @@ class QualitySubcommand : public Subcommand {
       print_zone_heading(std::cout, zone.name());
       const Mesh& mesh = zone.source.mesh;
       print_quality_table(std::cout, mesh, zone.quality);
+      print_regions(std::cout, *mesh.topology, zone.source.details->regions_array);
       if (zone.quality.has_walls()) {
         std::cout << '\n';
         print_walls(std::cout, nullptr, zone.quality.walls);
@@ -286,7 +287,7 @@ class QualitySubcommand : public Subcommand {
 
   std::vector<std::string> inputs_;
   std::string report_, csv_;
-  int zone_ = 0;
+  io::ReadOptions reading_;
   QualityOptions options_;
   CLI::Option* worst_flag_ = nullptr;
   bool histogram_ = false, quiet_ = false;

@@ -91,7 +91,7 @@ class RenderSubcommand : public Subcommand {
                                           "Draw a mesh as a picture (PNG, SVG or PDF); needs no "
                                           "display, inverted elements are red")) {
     add_input(app(), flags_.input);
-    add_zone_flag(app(), flags_.zone, "the first");
+    add_reading_flags(app(), flags_.reading, "the first");
     FlagGroup group(app());
     group.value("-o,--output", flags_.output, "PIC", "Picture to write: .png, .svg or .pdf");
     group.value("--size", flags_.size, "W H", "Width and height in pixels [1200 900]");
@@ -114,13 +114,13 @@ class RenderSubcommand : public Subcommand {
   ExitCode run() override {
     check_flags();
     const InterruptGuard interrupts;
-    const io::MeshFile file = io::read_mesh(flags_.input, {.zone = flags_.zone});
+    const io::MeshFile file = io::read_mesh(flags_.input, flags_.reading);
     InterruptGuard::check();
     check_volume_flags(app(), flags_, *file.mesh.topology);
     const bool volume = file.mesh.topology->space_dimension() == 3;
     if (!flags_.quiet) {
       print_warnings(file.warnings);
-      if (flags_.zone == 0) print_warnings(io::zones_left(file.details.get(), flags_.input));
+      if (flags_.reading.zone == 0) print_warnings(io::zones_left(file.details.get(), flags_.input));
     }
     if (!flags_.frames.empty()) {
       const std::string said = draw_all_frames(file, volume);
@@ -169,7 +169,7 @@ class RenderSubcommand : public Subcommand {
   }
 
   Mesh read_before(const Mesh& after) const {
-    Mesh before = io::read_mesh(flags_.before, {.zone = flags_.zone}).mesh;
+    Mesh before = io::read_mesh(flags_.before, {.zone = flags_.reading.zone}).mesh;
     const Topology& a = *before.topology;
     const Topology& b = *after.topology;
     bool same = before.coordinates.size() == after.coordinates.size() &&

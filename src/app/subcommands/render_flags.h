@@ -8,6 +8,7 @@
 #include "gui/picture/capture/recorder.h"
 #include "gui/picture/frame/picture_frame.h"
 #include "gui/picture/picture.h"
+#include "io/format/mesh_file.h"
 
 namespace winslow::app {
 
@@ -28,7 +29,7 @@ struct VolumeFlags {
 /// Flags of the subcommand render, in types that need no OpenGL.
 struct RenderFlags {
   std::string input, output;
-  int zone = 0;
+  io::ReadOptions reading;
   std::string color, map = "automatic", axis = "automatic", title;
   std::optional<std::array<double, 4>> bounds;
   std::optional<std::array<double, 2>> range, percentiles;

@@ -214,7 +214,8 @@ class ReplaySubcommand : public Subcommand {
     if (files_.output.empty() && !recipe.output.empty()) {
       files_.output = (folder / recipe.output).string();
     }
-    if (files_.zone == 0) files_.zone = recipe.zone;
+    if (files_.reading.zone == 0) files_.reading.zone = recipe.zone;
+    if (files_.reading.regions.empty()) files_.reading.regions = recipe.regions;
     files_.also_read = std::move(recipe.tables);
     files_.also_read.push_back(recipe_);
     if (files_.reference_mesh.empty() && !recipe.reference_mesh.empty())

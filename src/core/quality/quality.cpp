@@ -6,6 +6,7 @@
 #include "core/geometry/element_normals.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/corner_kernel.h"
+#include "core/quality/movable_statistics.h"
 
 namespace winslow {
 
@@ -104,15 +105,19 @@ Values::Values(const Mesh& mesh, std::span<const Vec3> normals, int threads) {
   });
 }
 
-/// Removes the values of elements that no smoothing can change, and counts these elements.
-void set_fixed_apart(const Topology& topology, Values& values, QualityReport& report) {
+/// Counts the elements that no smoothing can change.
+void count_fixed(const Topology& topology, const Values& values, QualityReport& report) {
   for (Index e = 0; e < topology.element_count(); ++e) {
     if (!all_on_boundary(topology, e)) continue;
     ++report.all_on_boundary;
     if (values.inverted[at(e)]) ++report.all_on_boundary_inverted;
-    for (auto& of_metric : values.of_elements)
-      of_metric[at(e)] = std::numeric_limits<double>::quiet_NaN();
   }
+}
+
+/// As statistics_of(), but of no values NaN: not measured.
+Statistics measured(std::span<const double> values) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return values.empty() ? Statistics{none, none, none} : statistics_of(values);
 }
 
 }  // namespace
@@ -160,9 +165,11 @@ QualityReport::PerMetric describe_metric(const Mesh& mesh, const Values& values,
   part.worst = worst_elements(mesh, all, info.field, options.worst);
   std::vector<double> counted = info.of_corner ? values.of_corners[m] : all;
   if (!info.of_corner) std::erase_if(counted, [](double v) { return !std::isfinite(v); });
-  part.statistics = statistics_of(counted);
-  const double low = info.field.larger_is_better ? std::min(0.0, part.statistics.min) : info.best;
-  const double high = info.field.larger_is_better ? info.best : part.statistics.max;
+  part.statistics = measured(counted);
+  const Statistics range = statistics_of(counted);
+  const double low = info.field.larger_is_better ? std::min(0.0, range.min) : info.best;
+  const double high =
+      info.field.larger_is_better || counted.empty() ? info.best : part.statistics.max;
   part.histogram = histogram_of(counted, low, high, options.histogram_bins);
   return part;
 }
@@ -170,11 +177,11 @@ QualityReport::PerMetric describe_metric(const Mesh& mesh, const Values& values,
 }  // namespace
 
 QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
-  Values values(mesh, options.normals, options.threads);
+  const Values values(mesh, options.normals, options.threads);
   QualityReport report;
   report.cell_dimension = mesh.topology->cell_dimension();
   report.space_dimension = mesh.topology->space_dimension();
-  if (mesh.topology->kind() == MeshKind::volume) set_fixed_apart(*mesh.topology, values, report);
+  if (mesh.topology->kind() == MeshKind::volume) count_fixed(*mesh.topology, values, report);
   report.folds = find_folds(mesh);
   report.elements = mesh.topology->element_count();
   constexpr std::size_t listed = 100;
@@ -198,6 +205,19 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
                           : std::vector<WorstElement>());
   }
   return report;
+}
+
+std::vector<Statistics> movable_statistics(const Mesh& mesh) {
+  std::vector<Statistics> of_metrics;
+  for (const Metric metric : reported_metrics(mesh.topology->cell_dimension())) {
+    const std::vector<double> all = element_values(mesh, metric);
+    std::vector<double> movable;
+    for (Index e = 0; e < mesh.topology->element_count(); ++e)
+      if (!all_on_boundary(*mesh.topology, e) && std::isfinite(all[at(e)]))
+        movable.push_back(all[at(e)]);
+    of_metrics.push_back(measured(movable));
+  }
+  return of_metrics;
 }
 
 double element_value(const Mesh& mesh, Index e, Metric metric, std::span<const Vec3> normals) {

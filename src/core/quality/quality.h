@@ -68,13 +68,13 @@ struct QualityReport {
   Index inverted = 0;
   std::vector<Index> inverted_elements;  ///< first 100
   struct PerMetric {
-    Statistics statistics;
+    Statistics statistics;  ///< of all elements; NaN where none has a finite value
     Histogram histogram;
     std::vector<WorstElement> worst;
   };
   std::vector<PerMetric> metrics;  ///< of reported_metrics(cell_dimension), in their order
   /// Elements of a volume mesh with all nodes on the boundary, which no smoothing can change. They
-  /// are counted above, too, but are not in the statistics, histograms and lists.
+  /// are in everything above, too; movable_statistics() leaves them out.
   Index all_on_boundary = 0, all_on_boundary_inverted = 0;
   SurfaceFolds folds;                                     ///< of surface meshes
   WallReport walls;                                       ///< of plane meshes

@@ -146,8 +146,9 @@ QualityRow row_of(const char* name, const double* before, double now, Better bet
                   Text text = table_number) {
   QualityRow row;
   row.name = name;
-  row.now = text(now);
-  row.before = before ? text(*before) : "-";
+  // NaN: no element has a finite value.
+  row.now = std::isnan(now) ? "-" : text(now);
+  row.before = before && !std::isnan(*before) ? text(*before) : "-";
   // Omit a change that is not visible in the displayed numbers.
   if (!before || row.before == row.now || !std::isfinite(*before) || !std::isfinite(now))
     return row;
@@ -159,6 +160,17 @@ QualityRow row_of(const char* name, const double* before, double now, Better bet
 
 QualityRow title_of(std::string name, std::string tip) {
   return {std::move(name), std::move(tip), true, {}, {}, {}, 0, false};
+}
+
+QualityRow fixed_row(const QualityReport& now) {
+  QualityRow row;
+  row.name = "Cannot move";
+  row.tip =
+      "Elements of which all nodes lie on the boundary. No smoothing changes them, unless nodes of "
+      "the boundary slide. They are in the numbers above.";
+  row.now = grouped(now.all_on_boundary);
+  row.before = row.now;
+  return row;
 }
 
 QualityRow inverted_row(const QualityReport* before, Index now) {
@@ -279,6 +291,7 @@ std::vector<QualityRow> quality_table(const QualityReport* before, const Quality
     rows.push_back(row_of("max", b ? &b->max : nullptr, n.max, better(info)));
   }
   rows.push_back(inverted_row(before, shown ? shown->inverted : now.inverted));
+  if (now.all_on_boundary > 0) rows.push_back(fixed_row(now));
   if (now.folds.any() || (before && before->folds.any()))
     rows.push_back(folded_row(before ? &before->folds : nullptr, now.folds));
   return rows;

@@ -72,6 +72,23 @@ namespace {
 
 using FaceKey = std::array<Index, 4>;
 
+/// The family of a boundary condition or a part of a zone; empty: it has none.
+std::string family_of(const NodeView& owner) {
+  for (const char* label : {"FamilyName_t", "AdditionalFamilyName_t"}) {
+    const auto family = owner.first(label);
+    if (!family) continue;
+    // "Base/Family" names a family of another base.
+    const std::string path = family->text();
+    if (!path.empty()) return path.substr(path.rfind('/') + 1);
+  }
+  return {};
+}
+
+std::string region_name(const NodeView& part) {
+  std::string family = family_of(part);
+  return family.empty() ? part.name() : family;
+}
+
 class MarkerMaker {
  public:
   MarkerMaker(const ZoneHead& head, const ZoneBoundary& boundary, const ZoneSides& sides,
@@ -128,17 +145,6 @@ class MarkerMaker {
   }
 
  private:
-  static std::string family_of(const NodeView& condition) {
-    for (const char* label : {"FamilyName_t", "AdditionalFamilyName_t"}) {
-      const auto family = condition.first(label);
-      if (!family) continue;
-      // "Base/Family" names a family of another base.
-      const std::string path = family->text();
-      if (!path.empty()) return path.substr(path.rfind('/') + 1);
-    }
-    return {};
-  }
-
   /// Name of the section that consists of exactly these faces; empty: none.
   std::string section_covered(const std::vector<Face>& faces) const {
     const auto first = section_of_.find(faces.front().sorted());
@@ -206,7 +212,10 @@ void read_regions(const NodeView& zone, const ElementNumbers& numbers, MeshData&
   for (const NodeView& part : zone.children("ZoneSubRegion_t")) {
     const auto set = read_point_set(part, 1);
     if (!set || (!set->elements && set->location != "CellCenter")) continue;
-    const auto region = static_cast<Index>(mesh.regions.size());
+    const std::string name = region_name(part);
+    const auto known = std::ranges::find(mesh.regions, name, &Region::name);
+    const auto region = static_cast<Index>(known - mesh.regions.begin());
+    if (known == mesh.regions.end()) mesh.regions.push_back({name, region + 1});
     std::int64_t others = 0;
     mesh.element_region.resize(mesh.types.size(), -1);
     set->for_each_number([&](std::int64_t number) {
@@ -220,9 +229,8 @@ void read_regions(const NodeView& zone, const ElementNumbers& numbers, MeshData&
       if (free) mesh.element_region[at(place.index)] = region;
       others += free ? 0 : 1;
     });
-    mesh.regions.push_back({part.name(), region + 1});
     if (others > 0) {
-      warnings.push_back(std::to_string(others) + " elements of region \"" + part.name() +
+      warnings.push_back(std::to_string(others) + " elements of region \"" + name +
                          "\" are no cells or in another region, too: they stay out of it");
     }
   }

@@ -73,7 +73,8 @@ void make_markers(const NodeView& zone, const ZoneHead& head, const ZoneBoundary
                   Details& details);
 
 /// Makes regions from the parts of an unstructured zone that name cells (ZoneSubRegion_t with
-/// GridLocation CellCenter). An element belongs to the first region that names it.
+/// GridLocation CellCenter), named by their family if there is one; parts of one name are one
+/// region. An element belongs to the first region that names it.
 void read_regions(const NodeView& zone, const ElementNumbers& numbers, MeshData& mesh,
                   std::vector<std::string>& warnings);
 

@@ -150,30 +150,64 @@ MeshFile finish(const OpenedMesh& opened, ParsedMesh parsed, std::vector<std::st
   return file;
 }
 
+/// Throws UsageError for an option that a format has no use for.
+void check_options(const OpenedMesh& opened, const ReadOptions& options) {
+  const MeshFormat& format = *opened.format;
+  const std::string& name = opened.source.name();
+  if (options.zone != 0 && !format.read_zone) {
+    throw UsageError(name + ": no zone " + std::to_string(options.zone) +
+                     ": a file of this format is one mesh");
+  }
+  if (!options.regions.empty() && !format.read_arrays) {
+    throw UsageError(name + ": no cell array \"" + options.regions + "\": " +
+                     std::string(format.title) + " files hold no arrays that could be regions");
+  }
+}
+
+/// Reads the zone that the options name, or the whole file.
+ParsedMesh parse(OpenedMesh& opened, const ReadOptions& options) {
+  const MeshFormat& format = *opened.format;
+  if (format.read_arrays) return format.read_arrays(opened.source, options.regions);
+  if (format.read_zone) return format.read_zone(opened.source, options.zone);
+  return format.read(opened.source);
+}
+
+/// Sentences about what a source holds and a format cannot hold.
+std::vector<std::string> losses(const MeshFormat& format, const FormatDetails& details) {
+  std::vector<std::string> warnings;
+  if (details.periodic && !format.keeps_periodic) {
+    if (const std::string names = named_pairs(*details.periodic); !names.empty())
+      warnings.push_back("the periodic pairs of the source (" + names + ") are not written");
+  }
+  if (!format.keeps_data && !details.data_names().empty())
+    warnings.push_back("data on points, cells and the field are not written: " +
+                       details.data_names());
+  return warnings;
+}
+
 }  // namespace
 
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
   OpenedMesh opened(path);
-  const MeshFormat& format = *opened.format;
-  if (options.zone != 0 && !format.read_zone) {
-    throw UsageError(opened.source.name() + ": no zone " + std::to_string(options.zone) +
-                     ": a file of this format is one mesh");
-  }
-  ParsedMesh parsed =
-      format.read_zone ? format.read_zone(opened.source, options.zone) : format.read(opened.source);
+  check_options(opened, options);
+  ParsedMesh parsed = parse(opened, options);
   return finish(opened, std::move(parsed), std::move(opened.warnings));
 }
 
-std::vector<MeshFile> read_mesh_zones(const std::filesystem::path& path) {
+std::vector<MeshFile> read_mesh_zones(const std::filesystem::path& path,
+                                      const ReadOptions& options) {
   std::vector<MeshFile> files;
   OpenedMesh opened(path);
+  ReadOptions whole = options;
+  whole.zone = 0;
+  check_options(opened, whole);
   const auto take = [&](ParsedMesh zone) {
     files.push_back(finish(opened, std::move(zone), std::exchange(opened.warnings, {})));
   };
   if (opened.format->read_zones)
     opened.format->read_zones(opened.source, take);
   else
-    take(opened.format->read(opened.source));
+    take(parse(opened, whole));
   return files;
 }
 
@@ -259,9 +293,8 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
                        std::to_string(details->zones.size()) + " is written");
   }
   for (const MeshZone& zone : zones) {
-    if (zone.details == nullptr || !zone.details->periodic || format->keeps_periodic) continue;
-    if (const std::string names = named_pairs(*zone.details->periodic); !names.empty())
-      warnings.push_back("the periodic pairs of the source (" + names + ") are not written");
+    if (zone.details == nullptr) continue;
+    for (std::string& loss : losses(*format, *zone.details)) warnings.push_back(std::move(loss));
   }
   for (std::string& warning : warnings) warning = path.string() + ": " + warning;
   return warnings;

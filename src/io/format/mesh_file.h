@@ -33,6 +33,10 @@ struct FormatDetails {
   int zone = 0;                   ///< the one that was read
   /// Periodic sides that the file names; null for details that came from no file.
   std::shared_ptr<GivenPeriodicity> periodic;
+  std::string regions_array;  ///< name of the cell array that holds the regions; empty: none
+
+  /// Names of the data arrays that the file holds besides the mesh, for messages; empty: none.
+  virtual std::string data_names() const { return {}; }
 
   /// True if a mesh has as many nodes and elements as the one that was read.
   bool same_size(const Topology& topology) const {
@@ -50,16 +54,21 @@ struct MeshFile {
 
 struct ReadOptions {
   int zone = 0;  ///< number of the zone to read, of formats that have zones; 0: the first
+  /// Name of the cell array that holds the regions, of formats that have arrays; empty: one of the
+  /// names that are known.
+  std::string regions = {};
 };
 
 /// Reads a mesh. The content decides the format (with a warning if the extension disagrees); the
 /// extension decides if the content is not conclusive. Throws InputError "FILE:LINE: ..." / "FILE:
 /// byte N: ...". Never crashes on any content, and never allocates more than the file's size
-/// justifies. Throws UsageError for a zone that the file does not have.
+/// justifies. Throws UsageError for a zone or an array that the file does not have.
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
-/// Reads all zones of a file in the order of their numbers; a file without zones is one. The time
-/// grows with the size of the file, not with the number of its zones.
-std::vector<MeshFile> read_mesh_zones(const std::filesystem::path& path);
+/// Reads all zones of a file in the order of their numbers, whatever options.zone is; a file without
+/// zones is one. The time grows with the size of the file, not with the number of its zones. Throws
+/// as read_mesh() does.
+std::vector<MeshFile> read_mesh_zones(const std::filesystem::path& path,
+                                      const ReadOptions& options = {});
 
 struct WriteOptions {
   const MeshFormat* format = nullptr;  ///< null: by the extension of the path

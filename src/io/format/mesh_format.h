@@ -50,6 +50,7 @@ struct MeshFormat {
   std::array<bool, 3> writes{true, true, true};
   bool keeps_markers = true;
   bool keeps_periodic = false;  ///< true: the writer itself handles periodic sides
+  bool keeps_data = false;      ///< true: the writer itself handles the data arrays of a source
   bool has_binary = false;
   /// Why this build of the program can neither read nor write the format; empty: it can.
   std::string_view missing = {};
@@ -61,6 +62,9 @@ struct MeshFormat {
   ParsedMesh (*read_zone)(Source& source, int zone) = nullptr;
   /// Goes with read_zone(): reads all zones of a file that is opened once.
   void (*read_zones)(Source& source, const TakeZone& take) = nullptr;
+  /// Replaces read() for formats that hold data arrays. regions: name of the cell array that holds
+  /// the regions; empty: one of the names that are known. Throws UsageError if there is none.
+  ParsedMesh (*read_arrays)(Source& source, std::string_view regions) = nullptr;
   /// For formats whose meshes are folders: the folder that a path stands for; empty: none. read()
   /// gets it as the name of a source without bytes.
   std::filesystem::path (*find_folder)(const std::filesystem::path& path) = nullptr;

@@ -91,6 +91,8 @@ class GroupIndex {
 
   bool contains(int tag) const { return index_.contains(tag); }
   std::size_t add(int tag, std::string name);
+  /// Gives a group another tag besides its own.
+  void add_tag(int tag, std::size_t group) { index_[tag] = group; }
   /// Position of the group in all(); the group is added if it is new.
   std::size_t find(int tag);
   const std::vector<Region>& all() const { return groups_; }

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/mesh/element_type.h"
 #include "core/types.h"
+#include "io/openfoam/cell_zones.h"
 #include "io/openfoam/openfoam.h"
 #include "io/text/numbers.h"
 #include "io/text/source.h"
@@ -212,6 +213,8 @@ class Reader {
     if (mesh_.data.types.empty()) source_.fail(ranges_[2].begin, "no cells", "a mesh");
     set_space_nodes(source_, xyz, mesh_);
     read_patches();
+    const fs::path folder = source_.name();
+    read_cell_zones(source_, folder, mesh_);
     details_->markers = mesh_.data.markers;
     return std::move(mesh_);
   }
@@ -236,7 +239,7 @@ class Reader {
     for (std::size_t k = 1; k < file_names.size(); ++k)
       details_->texts[k] =
           source_.text().substr(ranges_[k].begin, ranges_[k].end - ranges_[k].begin);
-    for (const char* zones : {"cellZones", "faceZones", "pointZones"}) {
+    for (const char* zones : {"faceZones", "pointZones"}) {
       if (fs::exists(folder / zones, error) ||
           fs::exists(folder / (std::string(zones) + ".gz"), error))
         mesh_.warnings.push_back(std::string(zones) + " are not read; their file stays as it is");

@@ -26,6 +26,8 @@ struct Recipe {
   std::string reference_mesh = {};
   /// Files of displacements or positions that the recipe was read with; they are not written.
   std::vector<std::string> tables = {};
+  /// Name of the cell array of the input that holds the regions; empty: one of the known names.
+  std::string regions = {};
 };
 
 nlohmann::json to_json(const Command& command);

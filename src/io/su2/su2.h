@@ -34,6 +34,11 @@ struct Details : FormatDetails {
   std::vector<std::string> point_tails;
   int raw_markers = 0;      ///< markers kept as text (SEND_RECEIVE)
   std::size_t markers = 0;  ///< number of markers of the mesh that was read
+  /// The faces of a marker below one MARKER_TAG=. Several of one name are one marker.
+  struct MarkerPart {
+    std::size_t marker = 0, first = 0, count = 0;
+  };
+  std::vector<MarkerPart> marker_parts;  ///< in the order of the file
   /// For a file of several zones: the text before the first one, then the unchanged text of each.
   std::shared_ptr<const std::vector<std::string>> blocks;
   std::size_t block = 0;             ///< the zone's place in `blocks`

@@ -325,18 +325,17 @@ class Reader {
     const std::string name(tag.value);
     if (name.empty()) source_.fail(tag.offset, "no name", "MARKER_TAG= NAME");
     if (name == "SEND_RECEIVE") return keep_send_receive(tag);
-    if (!names_.insert(name).second) {
-      source_.fail(tag.offset, "a second marker " + in_quotes(name), "one only");
-    }
     const std::string wanted = "MARKER_ELEMS= of marker " + in_quotes(name);
     const Line l = lines_.next_data({wanted.c_str()});
     if (l.key != "MARKER_ELEMS") lines_.fail(l.text, wanted);
     details_->items.push_back({Details::Part::marker, {}});
     const Index n = count(l.value, "the number of elements of a marker", 6);
-    Marker marker{name, static_cast<int>(mesh_.data.markers.size()) + 1, {}};
-    marker.faces.reserve(static_cast<std::size_t>(n));
-    std::vector<std::size_t> offsets;
-    offsets.reserve(static_cast<std::size_t>(n));
+    const std::size_t m = marker_of_name(name);
+    Marker& marker = mesh_.data.markers[m];
+    std::vector<std::size_t>& offsets = mesh_.where.marker_edges[m];
+    details_->marker_parts.push_back({m, marker.faces.size(), static_cast<std::size_t>(n)});
+    marker.faces.reserve(marker.faces.size() + static_cast<std::size_t>(n));
+    offsets.reserve(marker.faces.size() + static_cast<std::size_t>(n));
     const std::string what = std::string("marker ") + side_name(dimensions_.cells);
     for (Index e = 0; e < n; ++e) {
       const Expected expected{what.c_str(), e, n};
@@ -346,8 +345,20 @@ class Reader {
       marker.faces.push_back(read_face(words, expected));
       details_->face_numbers |= end_data_line(words, e, expected.what);
     }
-    mesh_.data.markers.push_back(std::move(marker));
-    mesh_.where.marker_edges.push_back(std::move(offsets));
+  }
+
+  /// Index of the marker of that name, which is added if it is new.
+  std::size_t marker_of_name(const std::string& name) {
+    auto& markers = mesh_.data.markers;
+    const auto [known, added] = marker_index_.emplace(name, markers.size());
+    if (!added) {
+      mesh_.warnings.push_back("MARKER_TAG= " + name + " stands there again: its " +
+                               side_name(dimensions_.cells) + "s belong to the same marker");
+      return known->second;
+    }
+    markers.push_back({name, static_cast<int>(markers.size()) + 1, {}});
+    mesh_.where.marker_edges.emplace_back();
+    return markers.size() - 1;
   }
 
   Face read_face(LineWords& words, const Expected& expected) {
@@ -387,7 +398,7 @@ class Reader {
     }
     if (!has(Details::Part::points)) source_.fail(end_, "no NPOIN=", "the points of the mesh");
     if (!has(Details::Part::elements)) source_.fail(end_, "no NELEM=", "the elements of the mesh");
-    const auto found = static_cast<Index>(mesh_.data.markers.size()) + details_->raw_markers;
+    const auto found = static_cast<Index>(details_->marker_parts.size()) + details_->raw_markers;
     if (marker_count_ && *marker_count_ != found) {
       source_.fail(marker_count_offset_, std::to_string(found) + " markers",
                    std::to_string(*marker_count_) + " as NMARK= says");
@@ -427,7 +438,7 @@ class Reader {
   std::shared_ptr<Details> details_ = std::make_shared<Details>();
   std::optional<Index> marker_count_;
   std::size_t marker_count_offset_ = 0;
-  std::set<std::string> names_;
+  std::map<std::string, std::size_t> marker_index_;
   PeriodicSections periodic_;
   std::set<std::string> unknown_;
   std::string unknown_list_;

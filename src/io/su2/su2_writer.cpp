@@ -60,11 +60,12 @@ class Writer {
         write_points(item.text);
         break;
       case Details::Part::marker_count:
-        out_ << "NMARK= " << names_.size() + static_cast<std::size_t>(details_.raw_markers)
+        out_ << "NMARK= "
+             << details_.marker_parts.size() + static_cast<std::size_t>(details_.raw_markers)
              << details_.line_end;
         break;
       case Details::Part::marker:
-        write_marker(next_marker_++);
+        write_marker(details_.marker_parts[next_part_++]);
         break;
     }
   }
@@ -101,9 +102,10 @@ class Writer {
     }
   }
 
-  void write_marker(std::size_t m) {
-    const auto& faces = topology().markers()[m].faces;
-    out_ << "MARKER_TAG= " << names_[m] << details_.line_end;
+  void write_marker(const Details::MarkerPart& part) {
+    const auto faces =
+        std::span(topology().markers()[part.marker].faces).subspan(part.first, part.count);
+    out_ << "MARKER_TAG= " << names_[part.marker] << details_.line_end;
     out_ << "MARKER_ELEMS= " << faces.size() << details_.line_end;
     for (std::size_t f = 0; f < faces.size(); ++f) {
       out_ << face_number(faces[f].size());
@@ -129,18 +131,33 @@ class Writer {
   const Details& details_;
   MeshInSpace space_;
   std::vector<std::string> names_;
-  std::size_t next_marker_ = 0;
+  std::size_t next_part_ = 0;
 };
 
+/// True if the markers have as many faces as when they were read.
+bool has_parts(std::span<const Marker> markers, const Details& details) {
+  std::vector<std::size_t> faces(markers.size(), 0);
+  for (const Details::MarkerPart& part : details.marker_parts) {
+    if (part.marker >= markers.size()) return false;
+    faces[part.marker] += part.count;
+  }
+  for (std::size_t m = 0; m < markers.size(); ++m)
+    if (faces[m] != markers[m].faces.size()) return false;
+  return true;
+}
+
 /// Details for a mesh without any, or with details that do not fit it.
-Details default_details(const Topology& topology, std::size_t markers, const Details* source) {
+Details default_details(const Topology& topology, std::span<const Marker> markers,
+                        const Details* source) {
   using Part = Details::Part;
   Details details;
   details.dimension =
       std::max(topology.space_dimension(), source == nullptr ? 0 : source->dimension);
   details.items = {
       {Part::dimension, {}}, {Part::elements, {}}, {Part::points, {}}, {Part::marker_count, {}}};
-  details.items.resize(details.items.size() + markers, {Part::marker, {}});
+  details.items.resize(details.items.size() + markers.size(), {Part::marker, {}});
+  for (std::size_t m = 0; m < markers.size(); ++m)
+    details.marker_parts.push_back({m, 0, markers[m].faces.size()});
   details.element_numbers = details.point_numbers = true;
   if (source == nullptr) return details;
   details.line_end = source->line_end;
@@ -205,8 +222,8 @@ void write_zone(std::ostream& out, const Mesh& mesh, const FormatDetails* source
   const std::span<const Marker> markers = topology.markers().from_file()
                                               ? std::span<const Marker>(topology.markers().list())
                                               : std::span<const Marker>();
-  const bool fits =
-      details != nullptr && details->same_size(topology) && details->markers == markers.size();
+  const bool fits = details != nullptr && details->same_size(topology) &&
+                    details->markers == markers.size() && has_parts(markers, *details);
   // A name from an SU2 file is written back unchanged.
   std::vector<std::string> names;
   if (fits) {
@@ -214,7 +231,7 @@ void write_zone(std::ostream& out, const Mesh& mesh, const FormatDetails* source
   } else {
     names = safe_names(markers, warnings);
   }
-  const Details plain = fits ? Details{} : default_details(topology, markers.size(), details);
+  const Details plain = fits ? Details{} : default_details(topology, markers, details);
   if (source != nullptr && source->plane && (fits ? *details : plain).dimension == 2) {
     warnings.push_back("with NDIME= 2 an SU2 file has two coordinates: those in " +
                        source->plane->plane_text() + ", " + source->plane->axes_text() +

@@ -106,14 +106,25 @@ int small_integer(Scanner& scan, const Expected& expected) {
   return static_cast<int>(value);
 }
 
+/// The name in the rest of a line.
+std::string name_in(std::string_view rest) {
+  std::string_view name = trimmed(rest.substr(0, rest.find('!')));
+  for (const char quote : {'"', '\''}) {
+    const bool quoted = name.size() > 2 && name.front() == quote && name.back() == quote;
+    if (quoted) return std::string(name.substr(1, name.size() - 2));
+  }
+  return std::string(name);
+}
+
 }  // namespace
 
-std::vector<Surface> read_mapbc(Source& source, const std::filesystem::path& path) {
+Mapbc read_mapbc(Source& source, const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return {};
   const Source::Range range = source.append(path);
   Scanner scan(source, range.begin, range.end);
-  std::vector<Surface> surfaces;
+  Mapbc mapbc;
+  mapbc.text = source.text().substr(range.begin, range.end - range.begin);
   std::set<int> tags;
   scan.skip_space();
   const Index n = scan.count({"the number of surfaces"}, 4);
@@ -124,20 +135,31 @@ std::vector<Surface> read_mapbc(Source& source, const std::filesystem::path& pat
     Surface surface;
     surface.tag = small_integer(scan, {"the number of surface", i, n});
     surface.boundary_condition = small_integer(scan, {"the boundary condition of surface", i, n});
-    surface.name = scan.word();
-    scan.line();
+    surface.name = name_in(scan.line());
+    const std::string_view text = source.text();
+    surface.line = trimmed(text.substr(start, text.find('\n', start) - start));
     if (!tags.insert(surface.tag).second)
       source.fail(start, "surface " + std::to_string(surface.tag) + " a second time", "each once");
-    surfaces.push_back(std::move(surface));
+    mapbc.surfaces.push_back(std::move(surface));
   }
-  return surfaces;
+  return mapbc;
+}
+
+std::string mapbc_name(const std::string& name) {
+  const std::string line = within_line(name, "!");
+  return line.empty() || name_in(line) == line ? line : '"' + line + '"';
 }
 
 void write_mapbc(std::ostream& stream, const std::vector<Surface>& surfaces) {
   TextWriter out(stream);
   out << surfaces.size() << '\n';
-  for (const Surface& surface : surfaces)
-    out << surface.tag << ' ' << surface.boundary_condition << ' ' << surface.name << '\n';
+  for (const Surface& surface : surfaces) {
+    if (surface.line.empty())
+      out << surface.tag << ' ' << surface.boundary_condition << ' ' << mapbc_name(surface.name);
+    else
+      out << surface.line;
+    out << '\n';
+  }
 }
 
 }  // namespace winslow::io::ugrid

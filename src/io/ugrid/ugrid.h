@@ -36,12 +36,20 @@ std::filesystem::path mapbc_path(const std::filesystem::path& path);
 struct Surface {
   int tag = 0;
   int boundary_condition = 0;
-  std::string name;
+  std::string name;       ///< without the quotes around it
+  std::string line = {};  ///< as it was read, without its end; empty: of no file
+};
+
+/// The content of a .mapbc file.
+struct Mapbc {
+  std::vector<Surface> surfaces;
+  std::string text = {};  ///< the whole file as it was read; empty: there is none
 };
 
 struct Details : BoundaryDetails {
   Encoding encoding;
-  std::vector<Surface> surfaces;  ///< of the .mapbc file
+  Mapbc mapbc;
+  std::vector<int> tags;  ///< number of the surface of each side; several may be one marker
 };
 
 extern const MeshFormat format;
@@ -52,9 +60,14 @@ std::vector<OutputFile> files(const std::filesystem::path& path, const Mesh& mes
                               std::vector<std::string>& warnings);
 
 /// Appends a .mapbc file to the source and reads it, if it exists: the number of surfaces, then a
-/// line with number, boundary condition (of FUN3D) and name for each. Throws InputError.
-std::vector<Surface> read_mapbc(Source& source, const std::filesystem::path& path);
+/// line with number, boundary condition (of FUN3D) and name for each. A name goes to the end of the
+/// line or to '!', where a comment begins; quotes around it are no part of it. Throws InputError.
+Mapbc read_mapbc(Source& source, const std::filesystem::path& path);
 
+/// A name as a .mapbc file can hold it: in one line, without '!', in quotes if it would not be read
+/// as itself.
+std::string mapbc_name(const std::string& name);
+/// Writes lines that were read as they were.
 void write_mapbc(std::ostream& out, const std::vector<Surface>& surfaces);
 
 }  // namespace winslow::io::ugrid

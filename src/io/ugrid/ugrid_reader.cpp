@@ -166,11 +166,18 @@ ParsedMesh read(Source& source) {
   Reader reader(source, encoding);
   ParsedMesh mesh = reader.read();
   Details& details = reader.details();
-  details.surfaces = read_mapbc(source, mapbc_path(source.name()));
+  details.mapbc = read_mapbc(source, mapbc_path(source.name()));
+  details.tags = reader.tags();
   GroupIndex markers("surface_");
   const std::set<int> used(reader.tags().begin(), reader.tags().end());
-  for (const Surface& surface : details.surfaces) {
-    if (used.contains(surface.tag) && !surface.name.empty()) markers.add(surface.tag, surface.name);
+  std::map<std::string, std::size_t> by_name;  // surfaces of one name are one marker
+  for (const Surface& surface : details.mapbc.surfaces) {
+    if (!used.contains(surface.tag) || surface.name.empty()) continue;
+    const auto known = by_name.find(surface.name);
+    if (known != by_name.end())
+      markers.add_tag(surface.tag, known->second);
+    else
+      by_name[surface.name] = markers.add(surface.tag, surface.name);
   }
   for (std::size_t s = 0; s < details.sides.size(); ++s) {
     add_marker_side(markers.find(reader.tags()[s]), static_cast<Index>(s), reader.tag_places()[s],

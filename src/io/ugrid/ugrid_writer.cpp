@@ -72,15 +72,11 @@ Sides sides_of(const Markers& markers, const std::vector<int>& tags) {
   return sides;
 }
 
-/// Sides in the order of the source.
-Sides sides_of(const Details& details, const std::vector<int>& tags) {
+/// Sides in the order of the source, with the surfaces that they had.
+Sides sides_of(const Details& details) {
   Sides sides;
   sides.faces = details.sides;
-  sides.tags.resize(sides.faces.size());
-  for (std::size_t m = 0; m < tags.size(); ++m) {
-    for (const Index side : details.marker_sides[m])
-      sides.tags[static_cast<std::size_t>(side)] = tags[m];
-  }
+  sides.tags = details.tags;
   sides.triangles = static_cast<std::size_t>(
       std::ranges::count_if(sides.faces, [](const Face& face) { return face.size() == 3; }));
   return sides;
@@ -152,12 +148,12 @@ bool ordered_by_type(const Topology& topology) {
 std::vector<Surface> surfaces_of(const Markers& markers, const std::vector<int>& tags,
                                  const Details* details, std::vector<std::string>& warnings) {
   std::vector<Surface> surfaces;
-  if (details != nullptr) surfaces = details->surfaces;
+  if (details != nullptr) surfaces = details->mapbc.surfaces;
   for (std::size_t m = 0; m < tags.size(); ++m) {
     const auto has_tag = [&](const Surface& surface) { return surface.tag == tags[m]; };
     if (std::ranges::any_of(surfaces, has_tag)) continue;
     const std::string& name = markers[m].name;
-    surfaces.push_back({tags[m], 0, as_word(name)});
+    surfaces.push_back({tags[m], 0, within_line(name, "!")});
     if (surfaces.back().name != name) {
       warnings.push_back("marker \"" + name + "\" is written as \"" + surfaces.back().name +
                          "\": a .mapbc file allows no such name");
@@ -196,7 +192,7 @@ std::vector<OutputFile> files(const std::filesystem::path& path, const Mesh& mes
   }
   add_losses(*mesh.topology, warnings);
   const Encoding encoding = encoding_for(path, details, options);
-  const Sides sides = details != nullptr ? sides_of(*details, tags) : sides_of(markers, tags);
+  const Sides sides = details != nullptr ? sides_of(*details) : sides_of(markers, tags);
   std::vector<OutputFile> files{{path, [&mesh, &warnings, sides, encoding](std::ostream& out) {
                                    if (write(out, mesh, sides, encoding)) return;
                                    warnings.emplace_back(
@@ -205,6 +201,12 @@ std::vector<OutputFile> files(const std::filesystem::path& path, const Mesh& mes
                                  }}};
   auto surfaces = surfaces_of(markers, tags, details, warnings);
   if (surfaces.empty()) return files;
+  if (details != nullptr && surfaces.size() == details->mapbc.surfaces.size()) {
+    files.push_back({mapbc_path(path), [text = details->mapbc.text](std::ostream& out) {
+                       out.write(text.data(), static_cast<std::streamsize>(text.size()));
+                     }});
+    return files;
+  }
   files.push_back({mapbc_path(path), [surfaces = std::move(surfaces)](std::ostream& out) {
                      write_mapbc(out, surfaces);
                    }});

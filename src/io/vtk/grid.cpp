@@ -5,42 +5,6 @@
 #include "io/format/mesh_in_space.h"
 
 namespace winslow::io::vtk {
-namespace {
-
-constexpr std::string_view marker_prefix = "marker:";
-constexpr std::string_view region_prefix = "region:";
-
-std::vector<int> to_tags(const Source& source, const Grid& grid, const std::vector<double>& values,
-                         const char* name) {
-  if (values.empty()) return {};
-  if (values.size() != grid.cell_count()) {
-    source.fail(source.text().size(),
-                std::to_string(values.size()) + " values in cell array \"" + name + "\"",
-                std::to_string(grid.cell_count()) + ", one for each cell");
-  }
-  std::vector<int> tags;
-  tags.reserve(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool whole = std::abs(values[i]) <= std::numeric_limits<int>::max() &&
-                       values[i] == std::trunc(values[i]);
-    if (!whole) {
-      source.fail(grid.cell_places[i],
-                  "no integer in cell array \"" + std::string(name) + "\" for this cell", "a tag");
-    }
-    tags.push_back(static_cast<int>(values[i]));
-  }
-  return tags;
-}
-
-bool add_name(std::string_view name, std::string_view prefix, const std::vector<double>& values,
-              std::vector<NamedTag>& names) {
-  if (!name.starts_with(prefix) || values.size() != 1) return false;
-  if (!(std::abs(values[0]) <= std::numeric_limits<int>::max())) return false;
-  names.emplace_back(name.substr(prefix.size()), static_cast<int>(values[0]));
-  return true;
-}
-
-}  // namespace
 
 CellType cell_type_of(const Face& face) {
   return face.size() == 2 ? line : face.size() == 3 ? triangle : quadrilateral;
@@ -52,7 +16,12 @@ CellType cell_type_of(ElementType type) {
   return types[static_cast<std::size_t>(type)];
 }
 
-/// The element type of a cell of dimension 2 or 3; none if the cell type is not supported.
+int dimension_of_cell(std::int64_t type) {
+  if (type == vertex || type == poly_vertex) return 0;
+  if (type == line || type == poly_line) return 1;
+  return type >= tetrahedron && type <= pyramid ? 3 : 2;
+}
+
 std::optional<ElementType> element_of(std::int64_t type, std::size_t corners) {
   if (type == polygon) type = corners == 3 ? triangle : quadrilateral;
   if (type == pixel) type = quadrilateral;
@@ -62,49 +31,10 @@ std::optional<ElementType> element_of(std::int64_t type, std::size_t corners) {
   return std::nullopt;
 }
 
-void Grid::add_cell(CellType type, std::span<const Index> nodes, int marker_tag, int region_tag) {
+void Grid::add_cell(CellType type, std::span<const Index> nodes) {
   types.push_back(type);
   connectivity.insert(connectivity.end(), nodes.begin(), nodes.end());
   offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
-  marker.push_back(marker_tag);
-  region.push_back(region_tag);
-}
-
-void ArrayCollector::cell_array(std::string_view name, const std::vector<double>& values,
-                                std::size_t components) {
-  std::vector<double>* wanted = name == "marker"          ? &marker_
-                                : name == "region"        ? &region_
-                                : name == "gmsh:physical" ? &physical_
-                                : name == "CellEntityIds" ? &entity_
-                                                          : nullptr;
-  if (wanted == nullptr || components != 1) {
-    dropped_.emplace(name);
-  } else {
-    *wanted = values;
-  }
-}
-
-void ArrayCollector::field_array(std::string_view name, const std::vector<double>& values) {
-  const bool known = add_name(name, marker_prefix, values, marker_names_) ||
-                     add_name(name, region_prefix, values, region_names_);
-  if (!known) dropped_.emplace(name);
-}
-
-void ArrayCollector::finish(const Source& source, Grid& grid) {
-  const bool ours = !marker_.empty() || !region_.empty();
-  if (ours) {
-    grid.marker = to_tags(source, grid, marker_, "marker");
-    grid.region = to_tags(source, grid, region_, "region");
-  } else if (!physical_.empty()) {
-    grid.marker = grid.region = to_tags(source, grid, physical_, "gmsh:physical");
-  } else if (!entity_.empty()) {
-    grid.marker = to_tags(source, grid, entity_, "CellEntityIds");
-    // In Gmsh a negative tag means that the group holds the reversed entity.
-    for (int& tag : grid.marker) tag = std::abs(tag);
-  }
-  grid.marker_names = std::move(marker_names_);
-  grid.region_names = std::move(region_names_);
-  grid.dropped.merge(dropped_);
 }
 
 namespace {
@@ -117,35 +47,20 @@ GroupIndex named_groups(const std::vector<NamedTag>& names, const char* prefix) 
   return groups;
 }
 
-/// The first few names: "Pressure, Velocity and 3 more".
-std::string listed(const std::set<std::string>& names) {
-  constexpr std::size_t few = 5;
-  std::string text;
-  std::size_t said = 0;
-  for (const std::string& name : names) {
-    if (said == few) break;
-    text += (said++ == 0 ? "" : ", ") + (name.empty() ? "one without a name" : name);
-  }
-  if (names.size() > said) text += " and " + std::to_string(names.size() - said) + " more";
-  return text;
-}
-
-using Item = Details::Item;
-
 /// 3 if there is a volume cell, else 2.
 int dimension_of(const Grid& grid) {
-  const auto solid = [](std::int64_t type) { return type >= tetrahedron && type <= pyramid; };
+  const auto solid = [](std::int64_t type) { return dimension_of_cell(type) == 3; };
   return std::ranges::any_of(grid.types, solid) ? 3 : 2;
 }
 
 class MeshBuilder {
  public:
-  MeshBuilder(const Source& source, const Grid& grid)
+  MeshBuilder(const Source& source, Grid grid)
       : source_(source),
-        grid_(grid),
-        dimension_(dimension_of(grid)),
-        markers_(named_groups(grid.marker_names, "marker_")),
-        regions_(named_groups(grid.region_names, "region_")) {
+        grid_(std::move(grid)),
+        dimension_(dimension_of(grid_)),
+        markers_(named_groups(grid_.marker_names, "marker_")),
+        regions_(named_groups(grid_.region_names, "region_")) {
     mesh_.details = details_;
   }
 
@@ -154,10 +69,7 @@ class MeshBuilder {
     for (std::size_t c = 0; c < grid_.cell_count(); ++c) add_cell(c);
     set_nodes(source_, grid_.points, mesh_);
     finish_groups();
-    if (!grid_.dropped.empty()) {
-      mesh_.warnings.push_back("data on points, cells and the field are not kept: " +
-                               listed(grid_.dropped));
-    }
+    keep_file();
     return std::move(mesh_);
   }
 
@@ -190,10 +102,9 @@ class MeshBuilder {
   void add_cell(std::size_t c) {
     std::vector<Index> nodes = corners(c);
     const std::int64_t type = grid_.types[c];
-    if (type == vertex) {
-      require_size(c, nodes, 1);
-      details_->items.push_back({Item::Kind::point, static_cast<Index>(details_->points.size())});
-      details_->points.push_back(nodes[0]);
+    if (type == vertex || type == poly_vertex) {
+      if (type == vertex) require_size(c, nodes, 1);
+      details_->points.insert(details_->points.end(), nodes.begin(), nodes.end());
       return;
     }
     if (type == line || type == poly_line) {
@@ -226,7 +137,6 @@ class MeshBuilder {
 
   void add_side(std::size_t c, const Face& face) {
     const auto index = static_cast<Index>(details_->sides.size());
-    details_->items.push_back({Item::Kind::side, index});
     details_->sides.push_back(face);
     if (!is_side(face, dimension_)) return;
     const int tag = grid_.marker.empty() ? 0 : grid_.marker[c];
@@ -238,11 +148,11 @@ class MeshBuilder {
   }
 
   void add_element(std::size_t c, ElementType type, const std::vector<Index>& nodes) {
-    details_->items.push_back({Item::Kind::element, mesh_.data.element_count()});
     mesh_.data.add_element(type, nodes);
     mesh_.where.elements.push_back(grid_.cell_places[c]);
-    const int tag = grid_.region.empty() ? 0 : grid_.region[c];
-    mesh_.data.element_region.push_back(tag == 0 ? -1 : static_cast<Index>(regions_.find(tag)));
+    const bool none = grid_.region.empty() || (grid_.zero_is_none && grid_.region[c] == 0);
+    mesh_.data.element_region.push_back(none ? -1
+                                             : static_cast<Index>(regions_.find(grid_.region[c])));
   }
 
   void finish_groups() {
@@ -256,8 +166,23 @@ class MeshBuilder {
     }
   }
 
+  /// Moves what is to be written again into the details.
+  void keep_file() {
+    Details& kept = *details_;
+    kept.connectivity.assign(grid_.connectivity.begin(), grid_.connectivity.end());
+    index_count(grid_.connectivity.size(), "corners of cells");
+    kept.offsets.assign(grid_.offsets.begin(), grid_.offsets.end());
+    kept.types.assign(grid_.types.begin(), grid_.types.end());
+    kept.list_types = grid_.list_types;
+    kept.points_name = grid_.points_name;
+    kept.data = std::move(grid_.data);
+    kept.markers = markers_.all();
+    kept.regions = regions_.all();
+    kept.regions_array = grid_.regions_array;
+  }
+
   const Source& source_;
-  const Grid& grid_;
+  Grid grid_;
   int dimension_;  // of the elements
   ParsedMesh mesh_;
   std::shared_ptr<Details> details_ = std::make_shared<Details>();
@@ -268,8 +193,35 @@ class MeshBuilder {
 
 }  // namespace
 
-ParsedMesh to_mesh(const Source& source, const Grid& grid) {
-  return MeshBuilder(source, grid).build();
+ParsedMesh to_mesh(const Source& source, Grid grid) {
+  return MeshBuilder(source, std::move(grid)).build();
+}
+
+bool Details::fits(const Mesh& mesh) const {
+  if (!BoundaryDetails::fits(mesh)) return false;
+  const Topology& topology = *mesh.topology;
+  const auto same = [](const auto& a, const Region& b) {
+    return a.name == b.name && a.tag == b.tag;
+  };
+  if (topology.markers().from_file() &&
+      !std::ranges::equal(topology.markers().list(), markers, same))
+    return false;
+  if (!std::ranges::equal(topology.regions(), regions, same)) return false;
+  std::vector<Index> of_file, of_mesh;
+  Index element = 0;
+  for (std::size_t c = 0; c < types.size(); ++c) {
+    if (dimension_of_cell(types[c]) != topology.cell_dimension()) continue;
+    const auto begin = connectivity.begin() + offsets[c],
+               end = connectivity.begin() + offsets[c + 1];
+    of_file.assign(begin, end);
+    if (element == topology.element_count()) return false;
+    const auto corners = topology.element(element++);
+    of_mesh.assign(corners.begin(), corners.end());
+    std::ranges::sort(of_file);
+    std::ranges::sort(of_mesh);
+    if (of_file != of_mesh) return false;
+  }
+  return element == topology.element_count();
 }
 
 namespace {
@@ -288,31 +240,16 @@ class GridBuilder {
       const Vec3 p = space_.node(i);
       grid_.points.insert(grid_.points.end(), {p.x(), p.y(), p.z()});
     }
-    for (std::size_t m = 0; m < markers_.size(); ++m) {
-      grid_.marker_names.emplace_back(topology_.markers()[m].name, markers_[m]);
-    }
-    for (std::size_t r = 0; r < regions_.size(); ++r) {
-      grid_.region_names.emplace_back(topology_.regions()[r].name, regions_[r]);
-    }
   }
 
-  Grid in_order_of(const Details& details) {
-    std::vector<int> tag_of_side(details.sides.size(), 0);
-    for (std::size_t m = 0; m < details.marker_sides.size(); ++m) {
-      for (const Index side : details.marker_sides[m]) {
-        tag_of_side[static_cast<std::size_t>(side)] = markers_[m];
-      }
-    }
-    for (const auto& item : details.items) {
-      const auto i = static_cast<std::size_t>(item.index);
-      if (item.kind == Details::Item::Kind::point) {
-        grid_.add_cell(vertex, {&details.points[i], 1}, 0, 0);
-      } else if (item.kind == Details::Item::Kind::side) {
-        add_side(details.sides[i], tag_of_side[i]);
-      } else {
-        add_element(item.index);
-      }
-    }
+  /// The cells and arrays of the source, with the nodes where they are now.
+  Grid as_read(const Details& details) {
+    grid_.connectivity.assign(details.connectivity.begin(), details.connectivity.end());
+    grid_.offsets.assign(details.offsets.begin(), details.offsets.end());
+    grid_.types.assign(details.types.begin(), details.types.end());
+    grid_.data = details.data;
+    grid_.list_types = details.list_types;
+    grid_.points_name = details.points_name;
     return std::move(grid_);
   }
 
@@ -321,21 +258,35 @@ class GridBuilder {
     for (std::size_t m = 0; m < markers_.size(); ++m) {
       for (const Face& face : topology_.markers()[m].faces) add_side(face, markers_[m]);
     }
+    for (std::size_t m = 0; m < markers_.size(); ++m)
+      add_name("marker:" + topology_.markers()[m].name, markers_[m]);
+    for (std::size_t r = 0; r < regions_.size(); ++r)
+      add_name("region:" + topology_.regions()[r].name, regions_[r]);
+    if (!markers_.empty()) grid_.data.cells.push_back(integer_array("marker", grid_.marker));
+    if (!regions_.empty()) grid_.data.cells.push_back(integer_array("region", grid_.region));
     return std::move(grid_);
   }
 
  private:
+  void add_name(std::string name, int tag) {
+    DataArray array = integer_array(std::move(name), {tag});
+    array.attributes = {{"NumberOfTuples", "1"}};
+    grid_.data.field.push_back(std::move(array));
+  }
   void add_element(Index e) {
     const auto of = topology_.element_regions();
     const Index region = of.empty() ? -1 : of[static_cast<std::size_t>(e)];
     const ElementType type = topology_.element_type(e);
     FileCorners corners = space_.element(e);
     if (type == ElementType::prism) mirror_prism(corners.nodes);
-    grid_.add_cell(cell_type_of(type), {corners.data(), corners.size()}, 0,
-                   region < 0 ? 0 : regions_[static_cast<std::size_t>(region)]);
+    grid_.add_cell(cell_type_of(type), {corners.data(), corners.size()});
+    grid_.marker.push_back(0);
+    grid_.region.push_back(region < 0 ? 0 : regions_[static_cast<std::size_t>(region)]);
   }
   void add_side(const Face& face, int tag) {
-    grid_.add_cell(cell_type_of(face), {face.begin(), face.size()}, tag, 0);
+    grid_.add_cell(cell_type_of(face), {face.begin(), face.size()});
+    grid_.marker.push_back(tag);
+    grid_.region.push_back(0);
   }
 
   const Topology& topology_;
@@ -348,10 +299,18 @@ class GridBuilder {
 }  // namespace
 
 Grid to_grid(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings) {
-  GridBuilder builder(mesh, source, warnings);
   const auto* details = dynamic_cast<const Details*>(source);
-  if (details != nullptr && details->fits(mesh)) return builder.in_order_of(*details);
-  return builder.elements_then_markers();
+  if (details != nullptr && details->fits(mesh)) {
+    std::vector<std::string> not_needed;  // the tags of the file are not written anew
+    return GridBuilder(mesh, source, not_needed).as_read(*details);
+  }
+  if (details != nullptr && !details->data.empty()) {
+    warnings.push_back(
+        "the mesh is no longer that of the file: the data on its points, cells and field are not "
+        "written: " +
+        details->data.names());
+  }
+  return GridBuilder(mesh, source, warnings).elements_then_markers();
 }
 
 }  // namespace winslow::io::vtk

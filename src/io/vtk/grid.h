@@ -1,20 +1,22 @@
 #pragma once
 
-#include <set>
-
 #include "core/mesh/mesh.h"
 #include "io/format/mesh_format.h"
 #include "io/format/parsed_mesh.h"
+#include "io/vtk/data_arrays.h"
 
 /// VTK files, legacy and XML: "VTK File Formats" (Kitware). VTK has no markers. winslow writes them
 /// as line cells (triangles and quadrilaterals in volume meshes) with an integer cell array
 /// "marker" (the marker's tag, 0 elsewhere). One field array "marker:NAME" per marker holds its
-/// tag. Regions likewise: "region", "region:NAME".
+/// tag. Regions likewise: "region", "region:NAME". Arrays that other programs write for the same
+/// purpose are known as well (find_groups()). A mesh that goes back into a VTK file keeps cells and
+/// arrays as they came.
 namespace winslow::io::vtk {
 
 /// Named cell types of VTK.
 enum CellType : std::uint8_t {
   vertex = 1,
+  poly_vertex = 2,
   line = 3,
   poly_line = 4,
   triangle = 5,
@@ -33,56 +35,71 @@ CellType cell_type_of(ElementType type);
 
 using NamedTag = std::pair<std::string, int>;
 
+/// The integer types of the list of cells of an XML file.
+struct CellListTypes {
+  ValueType connectivity{ValueKind::signed_integer, 8};
+  ValueType offsets{ValueKind::signed_integer, 8};
+  ValueType types{ValueKind::unsigned_integer, 1};
+};
+
 /// The content of both file formats: a list of cells.
 struct Grid {
   std::vector<double> points;  ///< x y z, node after node
   std::vector<std::int64_t> connectivity;
   std::vector<std::int64_t> offsets{0};  ///< #cells + 1, into connectivity
   std::vector<std::int64_t> types;       ///< #cells
-  std::vector<int> marker;               ///< #cells, or empty
-  std::vector<int> region;               ///< #cells, or empty
+  DataArrays data;
+  CellListTypes list_types;
+  std::string points_name = "Points";
+
+  // Of a file that is read: what its arrays say about markers and regions.
+  std::vector<int> marker;    ///< #cells, or empty; 0: none
+  std::vector<int> region;    ///< #cells, or empty
+  bool zero_is_none = true;   ///< 0 in `region` means no region
+  std::string regions_array;  ///< name of the array that holds the regions; empty: none
   std::vector<NamedTag> marker_names;
   std::vector<NamedTag> region_names;
-  std::set<std::string> dropped;  ///< names of arrays that are not kept
 
   std::vector<std::size_t> point_places;  ///< byte offset of each point in the file
   std::vector<std::size_t> cell_places;
 
   std::size_t cell_count() const { return types.size(); }
-  void add_cell(CellType type, std::span<const Index> nodes, int marker_tag, int region_tag);
+  void add_cell(CellType type, std::span<const Index> nodes);
 };
 
-/// Details of a VTK file: its cells in the order of the file.
+/// Details of a VTK file: its cells and arrays as they were read.
 struct Details : BoundaryDetails {
-  struct Item {
-    enum class Kind : std::uint8_t { point, side, element } kind;
-    Index index;  ///< into points, sides, or the elements of the mesh
-  };
-  std::vector<Item> items;
+  std::vector<Index> connectivity, offsets;
+  std::vector<std::uint8_t> types;
+  CellListTypes list_types;
+  std::string points_name;
+  DataArrays data;
+  std::vector<Region> markers, regions;  ///< names and tags
+
+  std::string data_names() const override { return data.names(); }
+  /// As BoundaryDetails::fits(); also the nodes of all elements and all names are the same.
+  bool fits(const Mesh& mesh) const;
 };
 
-/// Collects the named arrays for the grid: those of winslow and those that Gmsh and meshio write.
-class ArrayCollector {
- public:
-  void cell_array(std::string_view name, const std::vector<double>& values, std::size_t components);
-  void field_array(std::string_view name, const std::vector<double>& values);
-  /// Moves the collected arrays into the grid, which must have its cells already.
-  void finish(const Source& source, Grid& grid);
+/// Sets markers and regions of a grid, which must have its cells, from its arrays: "marker" and
+/// "region", or the array of another name that holds whole numbers and is known to hold regions.
+/// wanted: the name of the array that holds the regions; empty: a known one. Throws UsageError if
+/// there is no such array, InputError if its values are no whole numbers.
+void find_groups(const Source& source, Grid& grid, std::string_view wanted);
 
- private:
-  std::vector<double> marker_;
-  std::vector<double> region_;
-  std::vector<double> physical_;
-  std::vector<double> entity_;
-  std::vector<NamedTag> marker_names_;
-  std::vector<NamedTag> region_names_;
-  std::set<std::string> dropped_;
-};
+/// 0 to 3; that of elements for every type that is not known.
+int dimension_of_cell(std::int64_t type);
+/// The element type of a cell of dimension 2 or 3; none if the cell type is not supported.
+std::optional<ElementType> element_of(std::int64_t type, std::size_t corners);
 
 /// Turns cells into a mesh. Throws InputError.
-ParsedMesh to_mesh(const Source& source, const Grid& grid);
-/// Cells of a mesh, in the order of its source if that is a VTK file and still fits.
+ParsedMesh to_mesh(const Source& source, Grid grid);
+/// Cells and arrays of a mesh: those of its source if that is a VTK file and still fits.
 Grid to_grid(const Mesh& mesh, const FormatDetails* source, std::vector<std::string>& warnings);
+
+/// Writes a legacy file of version 3.0; see MeshFormat::write.
+std::vector<std::string> write_legacy(std::ostream& out, const Mesh& mesh,
+                                      const FormatDetails* source, const WriteOptions& options);
 
 /// Legacy VTK files: unstructured grids and polygon data, versions 1 to 5, ASCII and binary. Writes
 /// version 3.0, which every reader understands.

@@ -8,46 +8,26 @@ namespace winslow::io::vtk {
 
 namespace {
 
-/// Type of the numbers of a legacy array.
-struct NumberType {
-  enum class Kind : std::uint8_t { floating, signed_integer, unsigned_integer, bit, text };
-  Kind kind;
-  std::size_t bytes;
-};
-using Kind = NumberType::Kind;
+using Kind = ValueKind;
 
-std::optional<NumberType> number_type(std::string_view name) {
-  struct Named {
-    std::string_view name;
-    NumberType type;
-  };
-  static constexpr std::array<Named, 19> types{{
-      {"bit", {Kind::bit, 1}},
-      {"unsigned_char", {Kind::unsigned_integer, 1}},
-      {"char", {Kind::signed_integer, 1}},
-      {"signed_char", {Kind::signed_integer, 1}},
-      {"unsigned_short", {Kind::unsigned_integer, 2}},
-      {"short", {Kind::signed_integer, 2}},
-      {"unsigned_int", {Kind::unsigned_integer, 4}},
-      {"int", {Kind::signed_integer, 4}},
-      {"unsigned_long", {Kind::unsigned_integer, 8}},
-      {"long", {Kind::signed_integer, 8}},
-      {"unsigned_long_long", {Kind::unsigned_integer, 8}},
-      {"long_long", {Kind::signed_integer, 8}},
-      {"vtktypeint64", {Kind::signed_integer, 8}},
-      {"vtktypeuint64", {Kind::unsigned_integer, 8}},
-      {"vtktypeint32", {Kind::signed_integer, 4}},
-      // Legacy files hold ids as 32-bit integers, whatever their width in memory.
-      {"vtkIdType", {Kind::signed_integer, 4}},
-      {"float", {Kind::floating, 4}},
-      {"double", {Kind::floating, 8}},
-      {"string", {Kind::text, 1}},
-  }};
-  const std::string lower = name == "vtkIdType" ? std::string(name) : lower_case(name);
-  for (const Named& known : types) {
-    if (known.name == lower) return known.type;
+/// Decodes a name: VTK writes white space as "%20".
+std::string decoded(std::string_view name) {
+  std::string text;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto digit = [&](std::size_t k) {
+      const char c = k < name.size() ? name[k] : 'x';
+      if (c >= '0' && c <= '9') return c - '0';
+      if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+      return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+    };
+    if (name[i] == '%' && digit(i + 1) >= 0 && digit(i + 2) >= 0) {
+      text += static_cast<char>(16 * digit(i + 1) + digit(i + 2));
+      i += 2;
+    } else {
+      text += name[i];
+    }
   }
-  return std::nullopt;
+  return text;
 }
 
 /// Reads the arrays of a legacy file: numbers separated by white space, or big-endian bytes.
@@ -58,37 +38,48 @@ class LegacyArrays {
   bool binary() const { return binary_; }
   void set_binary(bool binary) { binary_ = binary; }
   /// Next word of this line as a type. Throws InputError.
-  NumberType type() {
+  ValueType type() {
     const auto word = scan_.word();
-    const auto found = number_type(word);
+    const auto found = legacy_type(word);
     if (!found) scan_.fail(word, "a type such as float, double or int");
     return *found;
   }
 
   /// Checks a count read by the caller against the bytes left.
-  Index count(const Expected& expected, const NumberType& type, std::size_t numbers_each) {
+  Index count(const Expected& expected, const ValueType& type, std::size_t numbers_each) {
     return scan_.count(
         expected, std::max<std::size_t>(1, binary_ ? numbers_each * type.bytes : numbers_each * 2));
   }
 
   /// Reads numbers; `places`, if given, receives the byte offset of each.
-  std::vector<double> numbers(std::size_t n, NumberType type, const Expected& expected,
+  std::vector<double> numbers(std::size_t n, ValueType type, const Expected& expected,
                               std::vector<std::size_t>* places = nullptr) {
-    if (type.kind == Kind::text) {
-      skip_strings(n, expected);
-      return {};
+    if (type.kind == Kind::text || type.kind == Kind::bit) {
+      scan_.source().fail(scan_.offset(), "an array that is not of numbers", expected.text());
     }
-    if (binary_) begin_bytes(type.kind == Kind::bit ? (n + 7) / 8 : n, type, expected);
-    if (n / 2 > scan_.bytes_left() + 1 && !binary_) {
-      scan_.source().fail(scan_.offset(), "too few numbers", expected.text());
-    }
-    if (binary_ && type.kind == Kind::bit) {
-      scan_.seek(scan_.offset() + (n + 7) / 8);
-      return {};
-    }
+    begin_values(n, type, expected);
     return read<double>(n, type, expected, places);
   }
-  std::vector<std::int64_t> integers(std::size_t n, NumberType type, const Expected& expected,
+  /// Reads the n values of an array to be written again.
+  void values(std::size_t n, const Expected& expected, DataArray& array) {
+    const ValueType& type = array.type;
+    if (type.kind == Kind::text) return strings(n, expected, array.bytes);
+    begin_values(n, type, expected);
+    array.bits = type.kind == Kind::bit ? n : 0;
+    if (binary_) {
+      const std::size_t size = size_of(n, type);
+      array.bytes = scan_.source().text().substr(scan_.offset(), size);
+      scan_.seek(scan_.offset() + size);
+      swap_bytes(array.bytes, type.bytes);
+      return;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto word = scan_.next_word();
+      if (!append_value(array.bytes, type, word)) scan_.fail(word, expected);
+    }
+    if (type.kind == Kind::bit) array.bytes = packed_bits(array.bytes);
+  }
+  std::vector<std::int64_t> integers(std::size_t n, ValueType type, const Expected& expected,
                                      std::vector<std::size_t>* places = nullptr) {
     if (type.kind != Kind::signed_integer && type.kind != Kind::unsigned_integer) {
       scan_.source().fail(scan_.offset(), "an array that is not of integers", expected.text());
@@ -97,14 +88,31 @@ class LegacyArrays {
     return read<std::int64_t>(n, type, expected, places);
   }
 
-  /// Skips n strings. In binary, the two top bits of the first byte give the number of bytes of the
-  /// length.
-  void skip_strings(std::size_t n, const Expected& expected) {
+ private:
+  static std::size_t size_of(std::size_t n, const ValueType& type) {
+    return type.kind == Kind::bit ? n / 8 + (n % 8 != 0) : n * type.bytes;
+  }
+  /// Throws InputError unless n values can be left in the file.
+  void begin_values(std::size_t n, const ValueType& type, const Expected& expected) {
+    if (binary_) return begin_bytes(n, type, expected);
+    if (n / 2 > scan_.bytes_left() + 1)
+      scan_.source().fail(scan_.offset(), "too few numbers", expected.text());
+  }
+  void begin_bytes(std::size_t n, const ValueType& type, const Expected& expected) {
+    const bool too_many = type.kind != Kind::bit && n > scan_.bytes_left();
+    if (too_many || size_of(n, type) > scan_.bytes_left()) {
+      scan_.source().fail(scan_.source().text().size(), "the end of the file", expected.text());
+    }
+  }
+
+  /// Reads n strings, each to be ended by a zero. In binary, the two top bits of the first byte
+  /// give the number of bytes of the length.
+  void strings(std::size_t n, const Expected& expected, std::string& bytes) {
     const auto text = scan_.source().text();
     for (std::size_t i = 0; i < n; ++i) {
       if (scan_.at_end()) scan_.source().fail(text.size(), "the end of the file", expected.text());
       if (!binary_) {
-        scan_.line();
+        bytes += decoded(scan_.line()) + '\0';
         continue;
       }
       const auto first = static_cast<unsigned char>(text[scan_.offset()]);
@@ -117,20 +125,15 @@ class LegacyArrays {
       if (length > scan_.bytes_left() - width) {
         scan_.source().fail(scan_.offset(), "a string longer than the file", expected.text());
       }
-      scan_.seek(scan_.offset() + width + static_cast<std::size_t>(length));
-    }
-  }
-
- private:
-  void begin_bytes(std::size_t n, NumberType type, const Expected& expected) {
-    const std::size_t size = type.kind == Kind::bit ? (n + 7) / 8 : n * type.bytes;
-    if (n > scan_.bytes_left() || size > scan_.bytes_left()) {
-      scan_.source().fail(scan_.source().text().size(), "the end of the file", expected.text());
+      const std::size_t begin = scan_.offset() + width;
+      bytes.append(text.substr(begin, static_cast<std::size_t>(length)));
+      bytes += '\0';
+      scan_.seek(begin + static_cast<std::size_t>(length));
     }
   }
 
   template <class Number>
-  std::vector<Number> read(std::size_t n, NumberType type, const Expected& expected,
+  std::vector<Number> read(std::size_t n, ValueType type, const Expected& expected,
                            std::vector<std::size_t>* places) {
     const BinaryNumber kind{type.kind == Kind::floating, type.kind != Kind::unsigned_integer,
                             type.bytes};
@@ -155,39 +158,20 @@ class LegacyArrays {
   bool binary_ = false;
 };
 
-constexpr NumberType int32{NumberType::Kind::signed_integer, 4};
-
-/// Decodes a name: VTK writes white space as "%20".
-std::string decoded(std::string_view name) {
-  std::string text;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const auto digit = [&](std::size_t k) {
-      const char c = k < name.size() ? name[k] : 'x';
-      if (c >= '0' && c <= '9') return c - '0';
-      if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-      return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
-    };
-    if (name[i] == '%' && digit(i + 1) >= 0 && digit(i + 2) >= 0) {
-      text += static_cast<char>(16 * digit(i + 1) + digit(i + 2));
-      i += 2;
-    } else {
-      text += name[i];
-    }
-  }
-  return text;
-}
+constexpr ValueType int32{Kind::signed_integer, 4};
 
 class LegacyReader {
  public:
   explicit LegacyReader(Source& source) : source_(source), scan_(source), arrays_(scan_) {}
 
-  ParsedMesh read() {
+  ParsedMesh read(std::string_view regions) {
     read_header();
     for (auto word = scan_.next_word(); !word.empty(); word = scan_.next_word()) {
       read_section(word);
     }
     finish();
-    ParsedMesh mesh = to_mesh(source_, grid_);
+    find_groups(source_, grid_, regions);
+    ParsedMesh mesh = to_mesh(source_, std::move(grid_));
     mesh.details->binary = arrays_.binary();
     return mesh;
   }
@@ -217,7 +201,8 @@ class LegacyReader {
 
   void read_section(std::string_view word) {
     if (word == "FIELD") return read_field();
-    if (word == "METADATA") return skip_metadata();
+    if (word == "METADATA") return read_metadata();
+    if (place_ == Place::file && word != "FIELD") last_list_ = nullptr;
     if (word == "POINTS") return read_points(word);
     if (word == "POINT_DATA") return begin_data(false, point_count_);
     if (word == "CELL_DATA") return begin_data(true, cell_count());
@@ -236,8 +221,8 @@ class LegacyReader {
   void read_points(std::string_view word) {
     if (have_points_) scan_.fail(word, "POINTS only once");
     have_points_ = true;
-    const Index n = arrays_.count({"the number of points"}, {NumberType::Kind::floating, 4}, 3);
-    const NumberType type = arrays_.type();
+    const Index n = arrays_.count({"the number of points"}, {Kind::floating, 4}, 3);
+    const ValueType type = arrays_.type();
     scan_.end_line({"the end of the line"});
     point_count_ = static_cast<std::size_t>(n);
     std::vector<std::size_t> places;
@@ -263,7 +248,17 @@ class LegacyReader {
       scan_.seek(here);
       read_cell_list(static_cast<std::size_t>(n), static_cast<std::size_t>(size), here);
     }
-    if (type != 0) grid_.types.resize(grid_.types.size() + cell_count() - before, type);
+    if (type == 0) return;
+    for (std::size_t c = before; c < cell_count(); ++c)
+      grid_.types.push_back(
+          type_of_polygon(type, static_cast<std::size_t>(grid_.offsets[c + 1] - grid_.offsets[c])));
+  }
+
+  /// The type of a cell of polygon data with that many nodes.
+  static std::int64_t type_of_polygon(std::int64_t type, std::size_t nodes) {
+    if (type == vertex) return nodes == 1 ? vertex : poly_vertex;
+    if (type == poly_line) return nodes == 2 ? line : poly_line;
+    return nodes == 3 ? triangle : nodes == 4 ? quadrilateral : polygon;
   }
 
   void read_cell_list(std::size_t n, std::size_t size, std::size_t begin) {
@@ -293,13 +288,13 @@ class LegacyReader {
   }
 
   void read_offsets_and_connectivity(std::size_t n, std::size_t size) {
-    const NumberType offset_type = arrays_.type();
+    const ValueType offset_type = arrays_.type();
     scan_.end_line({"the end of the line"});
     std::vector<std::size_t> places;
     const auto offsets = arrays_.integers(n, offset_type, {"an offset of a cell"}, &places);
     const auto word = scan_.next_word();
     if (word != "CONNECTIVITY") scan_.fail(word, "CONNECTIVITY");
-    const NumberType type = arrays_.type();
+    const ValueType type = arrays_.type();
     scan_.end_line({"the end of the line"});
     std::vector<std::size_t> node_places;
     const auto nodes = arrays_.integers(size, type, {"a node of a cell"}, &node_places);
@@ -334,6 +329,7 @@ class LegacyReader {
     const std::size_t start = scan_.offset();
     const auto n = scan_.index({"the number of values"});
     scan_.end_line({"the end of the line"});
+    last_list_ = nullptr;
     place_ = of_cells ? Place::cells : Place::points;
     values_ = static_cast<std::size_t>(n);
     if (values_ != expected) {
@@ -342,95 +338,119 @@ class LegacyReader {
     }
   }
 
+  std::vector<DataArray>& list() {
+    return place_ == Place::cells    ? grid_.data.cells
+           : place_ == Place::points ? grid_.data.points
+                                     : grid_.data.field;
+  }
+
+  void read_values(std::size_t n, DataArray array) {
+    const bool colours = array.keyword == "LOOKUP_TABLE";
+    arrays_.values(n, {colours ? "a colour of a lookup table" : "a value of a data array"}, array);
+    last_list_ = &list();
+    last_list_->push_back(std::move(array));
+  }
+
+  void read_lookup_table() {
+    DataArray array{std::string(scan_.word()), colour_type(), 4};
+    array.keyword = "LOOKUP_TABLE";
+    const Index n = scan_.count({"the size of a lookup table"}, arrays_.binary() ? 4 : 8);
+    scan_.end_line({"the end of the line"});
+    read_values(4 * static_cast<std::size_t>(n), std::move(array));
+  }
+
+  /// Colours are bytes in binary files, and numbers from 0 to 1 in text.
+  ValueType colour_type() const {
+    return arrays_.binary() ? ValueType{Kind::unsigned_integer, 1} : ValueType{Kind::floating, 4};
+  }
+
+  void read_type(DataArray& array) {
+    const std::size_t here = scan_.offset();
+    array.type_word = scan_.word();
+    scan_.seek(here);
+    array.type = arrays_.type();
+  }
+
   void read_attribute(std::string_view word) {
-    const std::string keyword(word);
-    if (keyword == "LOOKUP_TABLE") {
-      scan_.word();
-      const Index n = scan_.count({"the size of a lookup table"}, arrays_.binary() ? 4 : 8);
-      scan_.end_line({"the end of the line"});
-      const NumberType type = arrays_.binary() ? NumberType{NumberType::Kind::unsigned_integer, 1}
-                                               : NumberType{NumberType::Kind::floating, 4};
-      arrays_.numbers(4 * static_cast<std::size_t>(n), type, {"a colour of a lookup table"});
-      return;
-    }
-    const std::string name = decoded(scan_.word());
-    std::size_t components = 1;
-    NumberType type = int32;
+    if (word == "LOOKUP_TABLE") return read_lookup_table();
+    DataArray array{decoded(scan_.word()), {}};
+    const std::string& keyword = array.keyword = word;
     if (keyword == "COLOR_SCALARS") {
-      components = static_cast<std::size_t>(scan_.count({"the number of components"}, 1));
-      type = arrays_.binary() ? NumberType{NumberType::Kind::unsigned_integer, 1}
-                              : NumberType{NumberType::Kind::floating, 4};
+      array.components = static_cast<std::size_t>(scan_.count({"the number of components"}, 1));
+      array.type = colour_type();
     } else if (keyword == "TEXTURE_COORDINATES") {
-      components = static_cast<std::size_t>(scan_.count({"the number of components"}, 1));
-      type = arrays_.type();
+      array.components = static_cast<std::size_t>(scan_.count({"the number of components"}, 1));
+      read_type(array);
     } else if (keyword == "SCALARS") {
-      type = arrays_.type();
+      read_type(array);
       const auto given = scan_.word();
       const auto number = given.empty() ? 1 : parse_integer(given).value_or(0);
       if (number < 1 || number > 4) scan_.fail(given, "1 to 4 components");
-      components = static_cast<std::size_t>(number);
-      skip_lookup_table_name();
+      array.components = static_cast<std::size_t>(number);
+      array.lookup_table = lookup_table_name();
     } else if (keyword == "VECTORS" || keyword == "NORMALS" || keyword == "TENSORS" ||
                keyword == "TENSORS6" || keyword == "GLOBAL_IDS" || keyword == "PEDIGREE_IDS" ||
                keyword == "EDGE_FLAGS") {
-      type = arrays_.type();
-      components = keyword == "TENSORS" ? 9 : keyword == "TENSORS6" ? 6 : 3;
-      if (keyword.ends_with("IDS") || keyword == "EDGE_FLAGS") components = 1;
+      read_type(array);
+      array.components = keyword == "TENSORS" ? 9 : keyword == "TENSORS6" ? 6 : 3;
+      if (keyword.ends_with("IDS") || keyword == "EDGE_FLAGS") array.components = 1;
     } else {
       scan_.fail(word, "the keyword of a data array, such as SCALARS or FIELD");
     }
     scan_.end_line({"the end of the line"});
-    const auto values = arrays_.numbers(values_ * components, type, {"a value of a data array"});
-    if (place_ == Place::cells) {
-      collector_.cell_array(name, values, components);
-    } else {
-      grid_.dropped.insert(name);
-    }
+    const std::size_t n = values_ * array.components;
+    read_values(n, std::move(array));
   }
 
-  /// In most files a separate line between SCALARS and its values names a lookup table.
-  void skip_lookup_table_name() {
+  /// In most files a separate line between SCALARS and its values names a lookup table; empty:
+  /// there is none.
+  std::string lookup_table_name() {
     const std::size_t here = scan_.offset();
-    if (scan_.next_word() == "LOOKUP_TABLE") {
-      scan_.word();
-    } else {
-      scan_.seek(here);
-    }
+    if (scan_.next_word() == "LOOKUP_TABLE") return std::string(scan_.word());
+    scan_.seek(here);
+    return {};
   }
 
   void read_field() {
-    scan_.word();
+    const std::string field(scan_.word());
     const Index n = scan_.count({"the number of arrays of a field"}, 4);
     scan_.end_line({"the end of the line"});
     for (Index a = 0; a < n; ++a) {
       const auto word = scan_.next_word();
       if (word == "METADATA") {
-        skip_metadata();
+        read_metadata();
         --a;
         continue;
       }
       if (word.empty()) scan_.fail(word, Expected{"array of a field", a, n});
-      const std::string name = decoded(word);
-      const auto components = static_cast<std::size_t>(scan_.index({"the number of components"}));
+      DataArray array{decoded(word), {}};
+      array.field = field;
+      array.components = static_cast<std::size_t>(scan_.index({"the number of components"}));
+      const std::size_t here = scan_.offset();
       const auto tuples = static_cast<std::size_t>(scan_.index({"the number of tuples"}));
-      const NumberType type = arrays_.type();
+      if (place_ != Place::file && tuples != values_)
+        source_.fail(here,
+                     std::to_string(tuples) + " values in " +
+                         (place_ == Place::cells ? "cell" : "point") + " array \"" + array.name +
+                         "\"",
+                     std::to_string(values_));
+      read_type(array);
       scan_.end_line({"the end of the line"});
-      const auto values = arrays_.numbers(components * tuples, type, {"a value of a field array"});
-      if (place_ == Place::cells) {
-        collector_.cell_array(name, values, components);
-      } else if (place_ == Place::file) {
-        collector_.field_array(name, values);
-      } else {
-        grid_.dropped.insert(name);
-      }
+      const std::size_t values = array.components * tuples;
+      read_values(values, std::move(array));
     }
   }
 
-  /// Skips metadata, which ends at the next empty line, also in binary files.
-  void skip_metadata() {
-    scan_.line();
-    while (!scan_.at_end() && !trimmed(scan_.line()).empty()) {
+  /// Metadata end at the next empty line, also in binary files. They belong to the array before.
+  void read_metadata() {
+    std::string lines = std::string(scan_.line());
+    while (!scan_.at_end()) {
+      const auto line = scan_.line();
+      if (trimmed(line).empty()) break;
+      lines.append(1, '\n').append(line);
     }
+    if (last_list_ != nullptr && !last_list_->empty())
+      last_list_->back().metadata = "METADATA" + lines + "\n\n";
   }
 
   void finish() {
@@ -442,7 +462,6 @@ class LegacyReader {
                    std::to_string(grid_.types.size()) + " cell types",
                    std::to_string(cell_count()) + ", one for each cell");
     }
-    collector_.finish(source_, grid_);
   }
 
   enum class Place { file, points, cells };
@@ -451,7 +470,7 @@ class LegacyReader {
   Scanner scan_;
   LegacyArrays arrays_;
   Grid grid_;
-  ArrayCollector collector_;
+  std::vector<DataArray>* last_list_ = nullptr;  // the one that metadata belong to; null: none
   bool polygons_ = false;
   bool have_points_ = false;
   bool have_cells_ = false;
@@ -461,112 +480,8 @@ class LegacyReader {
   std::size_t values_ = 0;
 };
 
-ParsedMesh read_legacy(Source& source) { return LegacyReader(source).read(); }
-
-/// Encodes a name: white space would end it, and '%' starts a code.
-std::string encoded(const std::string& name) {
-  static constexpr std::string_view digits = "0123456789ABCDEF";
-  std::string text;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte <= ' ' || c == '%' || c == '"' || byte == 0x7f) {
-      text += '%';
-      text += digits[byte >> 4];
-      text += digits[byte & 15];
-    } else {
-      text += c;
-    }
-  }
-  return text;
-}
-
-/// Writes the numbers of an array, as text or as big-endian bytes.
-class ArrayWriter {
- public:
-  ArrayWriter(TextWriter& out, bool binary) : out_(out), binary_(binary) {}
-
-  template <class Number>
-  void put(Number value, char separator) {
-    if (binary_) {
-      out_.raw(value, true);
-    } else {
-      out_ << value << separator;
-    }
-  }
-  void end() {
-    if (binary_) out_ << '\n';
-  }
-
- private:
-  TextWriter& out_;
-  bool binary_;
-};
-
-void write_cells(TextWriter& out, ArrayWriter& array, const Grid& grid) {
-  out << "CELLS " << grid.cell_count() << ' ' << grid.cell_count() + grid.connectivity.size()
-      << '\n';
-  for (std::size_t c = 0; c < grid.cell_count(); ++c) {
-    const auto begin = static_cast<std::size_t>(grid.offsets[c]);
-    const auto end = static_cast<std::size_t>(grid.offsets[c + 1]);
-    array.put(static_cast<std::int32_t>(end - begin), ' ');
-    for (std::size_t k = begin; k < end; ++k) {
-      array.put(static_cast<std::int32_t>(grid.connectivity[k]), k + 1 == end ? '\n' : ' ');
-    }
-  }
-  array.end();
-  out << "CELL_TYPES " << grid.cell_count() << '\n';
-  for (const auto type : grid.types) array.put(static_cast<std::int32_t>(type), '\n');
-  array.end();
-}
-
-void write_names(TextWriter& out, ArrayWriter& array, const Grid& grid) {
-  const std::size_t n = grid.marker_names.size() + grid.region_names.size();
-  if (n == 0) return;
-  out << "FIELD FieldData " << n << '\n';
-  const auto write = [&](const char* prefix, const std::vector<NamedTag>& names) {
-    for (const auto& [name, tag] : names) {
-      out << prefix << encoded(name) << " 1 1 int\n";
-      array.put(static_cast<std::int32_t>(tag), '\n');
-      array.end();
-    }
-  };
-  write("marker:", grid.marker_names);
-  write("region:", grid.region_names);
-}
-
-void write_tags(TextWriter& out, ArrayWriter& array, const Grid& grid) {
-  const bool markers = !grid.marker_names.empty();
-  const bool regions = !grid.region_names.empty();
-  if (!markers && !regions) return;
-  out << "CELL_DATA " << grid.cell_count() << "\nFIELD FieldData " << int{markers} + int{regions}
-      << '\n';
-  const auto write = [&](const char* name, const std::vector<int>& tags) {
-    out << name << " 1 " << tags.size() << " int\n";
-    for (const int tag : tags) array.put(static_cast<std::int32_t>(tag), '\n');
-    array.end();
-  };
-  if (markers) write("marker", grid.marker);
-  if (regions) write("region", grid.region);
-}
-
-std::vector<std::string> write_legacy(std::ostream& stream, const Mesh& mesh,
-                                      const FormatDetails* source, const WriteOptions& options) {
-  std::vector<std::string> warnings;
-  const Grid grid = to_grid(mesh, source, warnings);
-  TextWriter out(stream);
-  ArrayWriter array(out, options.binary);
-  out << "# vtk DataFile Version 3.0\nmesh\n" << (options.binary ? "BINARY\n" : "ASCII\n");
-  out << "DATASET UNSTRUCTURED_GRID\n";
-  out << "POINTS " << grid.points.size() / 3 << " double\n";
-  for (std::size_t i = 0; i < grid.points.size(); ++i) {
-    array.put(grid.points[i], i % 3 == 2 ? '\n' : ' ');
-  }
-  array.end();
-  write_cells(out, array, grid);
-  // Not before POINTS, where VTK itself puts them, because Gmsh expects POINTS in that line.
-  write_names(out, array, grid);
-  write_tags(out, array, grid);
-  return warnings;
+ParsedMesh read_legacy(Source& source, std::string_view regions) {
+  return LegacyReader(source).read(regions);
 }
 
 }  // namespace
@@ -577,12 +492,13 @@ const MeshFormat legacy_format{
     .versions = "legacy, versions 1 to 5 (written as 3.0)",
     .encodings = "text, binary",
     .markers = "yes, see below",
+    .keeps_data = true,
     .has_binary = true,
     .recognise =
         [](const Content& content) {
           return signature_if(content.first_line.starts_with("# vtk DataFile"));
         },
-    .read = read_legacy,
+    .read_arrays = read_legacy,
     .write = write_legacy};
 
 }  // namespace winslow::io::vtk

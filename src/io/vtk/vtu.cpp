@@ -42,7 +42,7 @@ class VtuReader {
     if (appended_.begin != 0 && !appended_.base64) source.set_binary_from(appended_.begin);
   }
 
-  ParsedMesh read() {
+  ParsedMesh read(std::string_view regions) {
     parse();
     const auto file = document_.child("VTKFile");
     if (!file) source_.fail(0, "no <VTKFile>", "a VTK XML file");
@@ -61,8 +61,8 @@ class VtuReader {
     read_points(arrays, piece);
     read_cells(arrays, piece);
     read_data(arrays, grid, piece);
-    collector_.finish(source_, grid_);
-    ParsedMesh mesh = to_mesh(source_, grid_);
+    find_groups(source_, grid_, regions);
+    ParsedMesh mesh = to_mesh(source_, std::move(grid_));
     mesh.details->binary = binary_;
     return mesh;
   }
@@ -123,6 +123,7 @@ class VtuReader {
           "3");
     }
     note_encoding(data);
+    grid_.points_name = data.attribute("Name").as_string("Points");
     std::vector<std::size_t> places;
     grid_.points = arrays.numbers(data, &places);
     if (grid_.points.size() % 3 != 0) {
@@ -137,9 +138,13 @@ class VtuReader {
     const auto cells = child(arrays, piece, "Cells");
     std::vector<std::size_t> node_places;
     std::vector<std::size_t> offset_places;
-    grid_.connectivity = arrays.integers(array(arrays, cells, "connectivity"), &node_places);
-    const auto ends = arrays.integers(array(arrays, cells, "offsets"), &offset_places);
+    const auto connectivity = array(arrays, cells, "connectivity");
+    const auto offsets = array(arrays, cells, "offsets");
     const auto types = array(arrays, cells, "types");
+    grid_.connectivity = arrays.integers(connectivity, &node_places);
+    const auto ends = arrays.integers(offsets, &offset_places);
+    grid_.list_types = {arrays.value_type(connectivity), arrays.value_type(offsets),
+                        arrays.value_type(types)};
     check_count(arrays, piece, "NumberOfCells", ends.size());
     grid_.types = arrays.integers(types, nullptr, ends.size());
     if (grid_.types.size() != ends.size()) {
@@ -164,38 +169,30 @@ class VtuReader {
     }
   }
 
-  /// The values of an array with one number per cell. Other arrays are not written by winslow and
-  /// are not read.
-  std::vector<double> cell_numbers(const VtuArrays& arrays, const pugi::xml_node& data,
-                                   unsigned components) const {
-    if (components != 1) return {};
-    return arrays.numbers(data, nullptr, grid_.types.size());
+  /// Reads the arrays below an element. tuples: as in VtuArrays::data_array().
+  static void read_arrays(const VtuArrays& arrays, const pugi::xml_node& parent,
+                          VtuArrays::Count tuples, std::vector<DataArray>& list) {
+    for (const auto& array : parent.children()) {
+      const std::string_view kind = array.name();
+      if (kind == "DataArray" || kind == "Array") list.push_back(arrays.data_array(array, tuples));
+    }
+  }
+
+  static Attributes attributes_of(const pugi::xml_node& element) {
+    Attributes attributes;
+    for (const auto& attribute : element.attributes())
+      attributes.emplace_back(attribute.name(), attribute.value());
+    return attributes;
   }
 
   void read_data(const VtuArrays& arrays, const pugi::xml_node& grid, const pugi::xml_node& piece) {
-    for (const auto& data : piece.child("CellData").children("DataArray")) {
-      const auto components = data.attribute("NumberOfComponents").as_uint(1);
-      collector_.cell_array(data.attribute("Name").value(), cell_numbers(arrays, data, components),
-                            components);
-    }
-    for (const auto& parent : {grid.child("FieldData"), piece.child("FieldData")}) {
-      for (const auto& data : parent.children("DataArray")) {
-        // winslow writes no arrays of strings.
-        const bool number = std::string_view(data.attribute("type").value()) != "String";
-        collector_.field_array(data.attribute("Name").value(),
-                               number ? arrays.numbers(data) : std::vector<double>());
-      }
-      drop(parent, "Array");
-    }
-    drop(piece.child("PointData"), "DataArray");
-    drop(piece.child("PointData"), "Array");
-    drop(piece.child("CellData"), "Array");
-  }
-
-  /// Records the arrays below an element that are not read.
-  void drop(const pugi::xml_node& parent, const char* kind) {
-    for (const auto& array : parent.children(kind))
-      grid_.dropped.emplace(array.attribute("Name").value());
+    for (const auto& parent : {grid.child("FieldData"), piece.child("FieldData")})
+      read_arrays(arrays, parent, {}, grid_.data.field);
+    const auto points = piece.child("PointData"), cells = piece.child("CellData");
+    read_arrays(arrays, points, grid_.points.size() / 3, grid_.data.points);
+    read_arrays(arrays, cells, grid_.types.size(), grid_.data.cells);
+    grid_.data.point_attributes = attributes_of(points);
+    grid_.data.cell_attributes = attributes_of(cells);
   }
 
   Source& source_;
@@ -203,11 +200,12 @@ class VtuReader {
   pugi::xml_document document_;
   std::size_t xml_begin_ = 0;
   Grid grid_;
-  ArrayCollector collector_;
   bool binary_ = false;
 };
 
-ParsedMesh read_vtu(Source& source) { return VtuReader(source).read(); }
+ParsedMesh read_vtu(Source& source, std::string_view regions) {
+  return VtuReader(source).read(regions);
+}
 
 static_assert(std::endian::native == std::endian::little,
               "appended data is declared little-endian and written as it lies in memory");
@@ -228,6 +226,15 @@ std::string escaped(const std::string& text) {
       case '"':
         safe += "&quot;";
         break;
+      case '\t':
+        safe += "&#9;";
+        break;
+      case '\n':
+        safe += "&#10;";
+        break;
+      case '\r':
+        safe += "&#13;";
+        break;
       default:
         safe += static_cast<unsigned char>(c) < ' ' ? '_' : c;
     }
@@ -235,12 +242,16 @@ std::string escaped(const std::string& text) {
   return safe;
 }
 
+/// The values as an array of a type.
 template <class Number>
-constexpr const char* type_name() {
-  if constexpr (std::is_same_v<Number, double>) return "Float64";
-  if constexpr (std::is_same_v<Number, std::int64_t>) return "Int64";
-  if constexpr (std::is_same_v<Number, std::uint8_t>) return "UInt8";
-  return "Int32";
+DataArray array_of(std::string name, const ValueType& type, std::span<const Number> values) {
+  DataArray array{std::move(name), type};
+  array.bytes.reserve(values.size() * type.bytes);
+  for (const Number value : values) {
+    const auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+    array.bytes.append(raw.data(), type.bytes);  // the low bytes of an integer come first
+  }
+  return array;
 }
 
 /// Writes the XML with its arrays: inline as text, or as bytes appended at the end.
@@ -252,19 +263,21 @@ class Writer {
   void write() {
     out_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
             "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
-    write_names();
+    if (!grid_.data.field.empty()) write_list("FieldData", {}, grid_.data.field);
     out_ << "<Piece NumberOfPoints=\"" << grid_.points.size() / 3 << "\" NumberOfCells=\""
          << grid_.cell_count() << "\">\n<Points>\n";
-    write_array("Points", grid_.points, " NumberOfComponents=\"3\"", 3);
+    write_points();
     out_ << "</Points>\n<Cells>\n";
-    write_array("connectivity", grid_.connectivity, "", 12);
-    write_array("offsets",
-                std::vector<std::int64_t>(grid_.offsets.begin() + 1, grid_.offsets.end()), "", 12);
-    write_array("types", std::vector<std::uint8_t>(grid_.types.begin(), grid_.types.end()), "", 24);
-    out_ << "</Cells>\n<CellData>\n";
-    if (!grid_.marker_names.empty()) write_array("marker", grid_.marker, "", 24);
-    if (!grid_.region_names.empty()) write_array("region", grid_.region, "", 24);
-    out_ << "</CellData>\n</Piece>\n</UnstructuredGrid>\n";
+    using Integers = std::span<const std::int64_t>;
+    const CellListTypes& types = grid_.list_types;
+    write_array(array_of("connectivity", types.connectivity, Integers(grid_.connectivity)), 12);
+    write_array(array_of("offsets", types.offsets, Integers(grid_.offsets).subspan(1)), 12);
+    write_array(array_of("types", types.types, Integers(grid_.types)), 24);
+    out_ << "</Cells>\n";
+    if (!grid_.data.points.empty())
+      write_list("PointData", grid_.data.point_attributes, grid_.data.points);
+    write_list("CellData", grid_.data.cell_attributes, grid_.data.cells);
+    out_ << "</Piece>\n</UnstructuredGrid>\n";
     if (binary_) {
       out_ << "<AppendedData encoding=\"raw\">\n_" << appended_ << "\n</AppendedData>\n";
     }
@@ -272,34 +285,65 @@ class Writer {
   }
 
  private:
-  void write_names() {
-    if (grid_.marker_names.empty() && grid_.region_names.empty()) return;
-    out_ << "<FieldData>\n";
-    for (const auto& [name, tag] : grid_.marker_names) write_name("marker:" + name, tag);
-    for (const auto& [name, tag] : grid_.region_names) write_name("region:" + name, tag);
-    out_ << "</FieldData>\n";
-  }
-  void write_name(const std::string& name, int tag) {
-    write_array(name, std::vector<int>{tag}, " NumberOfTuples=\"1\"", 1);
+  void write_points() {
+    DataArray array = array_of(grid_.points_name, {ValueKind::floating, 8},
+                               std::span<const double>(grid_.points));
+    array.components = 3;
+    write_array(array, 3);
   }
 
-  template <class Number>
-  void write_array(const std::string& name, const std::vector<Number>& values,
-                   const char* attributes, std::size_t per_line) {
-    out_ << "<DataArray type=\"" << type_name<Number>() << "\" Name=\"" << escaped(name) << '"'
-         << attributes;
+  void write_list(const char* element, const Attributes& attributes,
+                  const std::vector<DataArray>& arrays) {
+    out_ << '<' << element;
+    write_attributes(attributes);
+    out_ << ">\n";
+    for (const DataArray& array : arrays)
+      write_array(array, array.components > 1 ? array.components : 24);
+    out_ << "</" << element << ">\n";
+  }
+
+  void write_attributes(const Attributes& attributes) {
+    for (const auto& [name, value] : attributes)
+      out_ << ' ' << name << "=\"" << escaped(value) << '"';
+  }
+
+  void write_array(const DataArray& array, std::size_t per_line) {
+    const char* element = array.plain_element ? "Array" : "DataArray";
+    out_ << '<' << element << " type=\"" << xml_name(array.type) << "\" Name=\""
+         << escaped(array.name) << '"';
+    const bool counts = std::ranges::any_of(
+        array.attributes, [](const auto& pair) { return pair.first == "NumberOfComponents"; });
+    if (array.components != 1 && !counts)
+      out_ << " NumberOfComponents=\"" << array.components << '"';
+    write_attributes(array.attributes);
     if (binary_) {
-      out_ << " format=\"appended\" offset=\"" << appended_.size() << "\"/>\n";
-      const std::uint64_t size = values.size() * sizeof(Number);
-      appended_.append(reinterpret_cast<const char*>(&size), sizeof size);
-      appended_.append(reinterpret_cast<const char*>(values.data()), size);
-      return;
+      append_data(array, element);
+    } else {
+      write_text(array, per_line);
+      out_ << array.children << "</" << element << ">\n";
     }
+  }
+
+  void append_data(const DataArray& array, const char* element) {
+    out_ << " format=\"appended\" offset=\"" << appended_.size() << '"';
+    if (array.children.empty())
+      out_ << "/>\n";
+    else
+      out_ << ">\n" << array.children << "</" << element << ">\n";
+    const std::uint64_t size = array.bytes.size();
+    appended_.append(reinterpret_cast<const char*>(&size), sizeof size);
+    appended_.append(array.bytes);
+  }
+
+  void write_text(const DataArray& array, std::size_t per_line) {
     out_ << " format=\"ascii\">\n";
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      out_ << values[i] << ((i + 1) % per_line == 0 || i + 1 == values.size() ? '\n' : ' ');
+    const std::size_t count = array.value_count();
+    std::string word;
+    for (std::size_t i = 0; i < count; ++i) {
+      word.clear();
+      append_text(word, array, i);
+      out_ << word << ((i + 1) % per_line == 0 || i + 1 == count ? '\n' : ' ');
     }
-    out_ << "</DataArray>\n";
   }
 
   TextWriter out_;
@@ -308,10 +352,22 @@ class Writer {
   std::string appended_;
 };
 
+/// XML files have no lookup tables, which legacy files hold among their arrays.
+void drop_lookup_tables(DataArrays& data, std::vector<std::string>& warnings) {
+  for (auto* list : {&data.points, &data.cells}) {
+    std::erase_if(*list, [&](const DataArray& array) {
+      if (array.keyword != "LOOKUP_TABLE") return false;
+      warnings.push_back("the lookup table \"" + array.name + "\" is not written");
+      return true;
+    });
+  }
+}
+
 std::vector<std::string> write_vtu(std::ostream& out, const Mesh& mesh, const FormatDetails* source,
                                    const WriteOptions& options) {
   std::vector<std::string> warnings;
-  const Grid grid = to_grid(mesh, source, warnings);
+  Grid grid = to_grid(mesh, source, warnings);
+  drop_lookup_tables(grid.data, warnings);
   Writer(out, grid, options.binary).write();
   return warnings;
 }
@@ -324,6 +380,7 @@ const MeshFormat vtu_format{
     .encodings =
         "text, inline base64, appended raw and base64, zlib (written as text or appended raw)",
     .markers = "yes, see below",
+    .keeps_data = true,
     .has_binary = true,
     .recognise =
         [](const Content& content) {
@@ -331,7 +388,7 @@ const MeshFormat vtu_format{
                               content.start.substr(0, 2000).find("<VTKFile") !=
                                   std::string_view::npos);
         },
-    .read = read_vtu,
+    .read_arrays = read_vtu,
     .write = write_vtu};
 
 }  // namespace winslow::io::vtk

@@ -117,19 +117,17 @@ void VtuArrays::fail(const pugi::xml_node& array, const std::string& found,
   source_.fail(place(array), found, expected);
 }
 
-BinaryNumber VtuArrays::type_of(const pugi::xml_node& array) const {
+ValueType VtuArrays::value_type(const pugi::xml_node& array) const {
   const std::string_view name = array.attribute("type").value();
-  if (name == "Float32") return {true, true, 4};
-  if (name == "Float64") return {true, true, 8};
-  const bool is_signed = name.starts_with("Int");
-  const auto bits = name.substr(std::min<std::size_t>(name.size(), is_signed ? 3 : 4));
-  if (is_signed || name.starts_with("UInt")) {
-    if (bits == "8") return {false, is_signed, 1};
-    if (bits == "16") return {false, is_signed, 2};
-    if (bits == "32") return {false, is_signed, 4};
-    if (bits == "64") return {false, is_signed, 8};
-  }
+  if (const auto type = xml_type(name)) return *type;
   fail(array, "type " + in_quotes(name) + " of " + name_of(array), "Float64, Int32 or the like");
+}
+
+BinaryNumber VtuArrays::type_of(const pugi::xml_node& array) const {
+  const ValueType type = value_type(array);
+  if (type.whole() || type.kind == ValueKind::floating) return type.number();
+  fail(array, "type " + in_quotes(xml_name(type)) + " of " + name_of(array),
+       "Float64, Int32 or the like");
 }
 
 /// The text between the tags in the source.

@@ -4,6 +4,7 @@
 
 #include "io/text/numbers.h"
 #include "io/text/source.h"
+#include "io/vtk/data_arrays.h"
 
 namespace winslow::io::vtk {
 
@@ -35,8 +36,14 @@ class VtuArrays {
   std::vector<std::int64_t> integers(const pugi::xml_node& array,
                                      std::vector<std::size_t>* places = nullptr,
                                      Count count = {}) const;
+  /// Reads an array to be written again. tuples: their number, if other arrays determine it. Throws
+  /// InputError for another number of values.
+  DataArray data_array(const pugi::xml_node& array, Count tuples) const;
+  /// The type that an array names. Throws InputError for an unknown one.
+  ValueType value_type(const pugi::xml_node& array) const;
 
  private:
+  std::string values_of(const pugi::xml_node& array, const ValueType& type, Count count) const;
   BinaryNumber type_of(const pugi::xml_node& array) const;
   std::string_view inline_text(const pugi::xml_node& array) const;
   std::string bytes_of(const pugi::xml_node& array, std::size_t& first, Count count) const;

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/mesh/element_type.h"
+#include "core/quality/movable_statistics.h"
 #include "core/quality/quality.h"
 #include "core/quality/validity.h"
 #include "core/quality/volume_element.h"
@@ -196,6 +197,20 @@ TEST_CASE("the largest valid step of tetrahedra is where the first determinant v
   }
 }
 
+TEST_CASE("a mesh of which no element can move is measured; what is infinite everywhere is not") {
+  const Mesh mesh = make_mesh(cube(1, Volumes::tetrahedra));
+  const QualityReport report = measure_quality(mesh);
+  CHECK(report.all_on_boundary == report.elements);
+  CHECK(report.of(Metric::normalized_jacobian).statistics.min > 0.3);
+  CHECK(std::isnan(movable_statistics(mesh).front().avg));
+  Mesh flat = make_mesh(cube(1, Volumes::tetrahedra));
+  for (Index i = 0; i < flat.coordinates.size(); ++i)
+    flat.coordinates.set_xyz(i, {flat.coordinates.xyz(i).x(), flat.coordinates.xyz(i).y(), 0});
+  const QualityReport of_flat = measure_quality(flat);
+  CHECK(std::isnan(of_flat.of(Metric::aspect_ratio).statistics.max));
+  CHECK(of_flat.of(Metric::aspect_ratio).histogram.counts.size() == 20);
+}
+
 TEST_CASE("a report of a volume mesh names its metrics and what no smoothing can change") {
   const Mesh mesh = make_mesh(cube(3, Volumes::tetrahedra));
   const QualityReport report = measure_quality(mesh);
@@ -210,6 +225,20 @@ TEST_CASE("a report of a volume mesh names its metrics and what no smoothing can
   }
   CHECK(report.all_on_boundary == fixed);
   CHECK(fixed > 0);
+  CHECK(fixed < report.elements);
+  const auto sines = element_values(mesh, Metric::normalized_jacobian);
+  double smallest = 1, smallest_movable = 1, sum_movable = 0;
+  for (Index e = 0; e < report.elements; ++e) {
+    smallest = std::min(smallest, sines[at(e)]);
+    if (all_on_boundary(*mesh.topology, e)) continue;
+    smallest_movable = std::min(smallest_movable, sines[at(e)]);
+    sum_movable += sines[at(e)];
+  }
+  const QualityReport::PerMetric sine = report.of(Metric::normalized_jacobian);
+  CHECK(sine.statistics.min == smallest);
+  const Statistics movable = movable_statistics(mesh).front();
+  CHECK(movable.min == smallest_movable);
+  CHECK(movable.avg == doctest::Approx(sum_movable / (report.elements - fixed)));
   const auto volumes = element_values(mesh, Metric::volume);
   double sum = 0;
   for (const double v : volumes) sum += v;

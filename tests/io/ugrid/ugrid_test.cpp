@@ -37,6 +37,55 @@ TEST_CASE("UGRID: elements, surfaces by number, their names from the file beside
   CHECK(read_text(folder / "b.mapbc") == names);
 }
 
+TEST_CASE(
+    "UGRID: names go to the end of the line, without quotes; the file goes back to the byte") {
+  const TemporaryFolder folder;
+  const std::string text =
+      "  3\n7 4000  wall low  \n2 6662 \"symm x\"\n\n3\t5000 wall_low ! comment\n-1 0 behind\n";
+  const io::MeshFile file = read_pair(folder, grid, text);
+  const Markers& markers = file.mesh.topology->markers();
+  REQUIRE(markers.size() == 3);
+  CHECK(markers[0].name == "wall low");
+  CHECK(markers[1].name == "symm x");
+  CHECK(markers[2].name == "wall_low");
+  io::write_mesh(folder / "b.ugrid", file.mesh, file.details.get());
+  CHECK(read_text(folder / "b.ugrid") == grid);
+  CHECK(read_text(folder / "b.mapbc") == text);
+}
+
+TEST_CASE("UGRID: surfaces of one name are one marker, and keep their numbers") {
+  const TemporaryFolder folder;
+  const std::string text = "4\n7 4000 wall\n2 6662 floor\n3 5000 wall\n9 1 wall\n";
+  const io::MeshFile file = read_pair(folder, grid, text);
+  CHECK(file.warnings.empty());
+  const Markers& markers = file.mesh.topology->markers();
+  REQUIRE(markers.size() == 2);
+  CHECK(markers[0].name == "wall");
+  CHECK(markers[0].faces.size() == 8);
+  CHECK(markers[1].name == "floor");
+  io::write_mesh(folder / "b.lb8.ugrid", file.mesh, file.details.get());
+  CHECK(read_text(folder / "b.mapbc") == text);
+  io::write_mesh(folder / "c.ugrid", io::read_mesh(folder / "b.lb8.ugrid").mesh, nullptr);
+  io::write_mesh(folder / "d.ugrid", file.mesh, file.details.get());
+  CHECK(read_text(folder / "d.ugrid") == grid);
+  // A mesh of another file has one surface for each marker.
+  CHECK(read_text(folder / "c.mapbc") == "2\n7 0 wall\n2 0 floor\n");
+}
+
+TEST_CASE("UGRID: names of other formats are written so that they are read as themselves") {
+  for (const char* name : {"wall low", "\"in quotes\"", "'both\"", " begins with a blank", "x"}) {
+    CAPTURE(name);
+    MeshData data = cube(1, Volumes::hexahedra);
+    data.markers.resize(1);
+    data.markers[0].name = name;
+    const TemporaryFolder folder;
+    const Mesh mesh = make_mesh(data);
+    for (const std::string& warning : io::write_mesh(folder / "a.ugrid", mesh, nullptr))
+      CHECK_FALSE(contains(warning, "is written as"));
+    CHECK(io::read_mesh(folder / "a.ugrid").mesh.topology->markers()[0].name == name);
+  }
+}
+
 TEST_CASE("UGRID without .mapbc: surfaces are called after their numbers") {
   const io::MeshFile file = read_from_text("a.ugrid", grid);
   CHECK(file.mesh.topology->markers()[0].name == "surface_7");

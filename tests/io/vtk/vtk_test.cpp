@@ -67,8 +67,7 @@ TEST_CASE("VTK: version 5 with offsets, attributes of every kind, metadata, enco
   CHECK(file.mesh.topology->element_count() == 6);
   REQUIRE(file.mesh.topology->markers().size() == 1);
   CHECK(file.mesh.topology->markers()[0].name == "lower wall");
-  CHECK(any_contains(file.warnings,
-                     "data on points, cells and the field are not kept: TITLE, id, p, v"));
+  CHECK(file.details->data_names() == "TITLE, id, mine, p, v");
   CHECK_CONTAINS(input_error("a.vtk", text), "a.vtk:33: found 'CELL_TYPES', expected a node");
 }
 
@@ -161,7 +160,8 @@ TEST_CASE("VTU: bad input is refused with file and line") {
   CHECK_CONTAINS(error("26 28", "26 27"), "expected 27, the last offset");
   CHECK_CONTAINS(error("9 9 5 5", "10 9 5 5"), "element 0 has no volume");
   CHECK_CONTAINS(error("9 9 5 5", "9 9 5"), "found 9 cell types, expected 10");
-  CHECK_CONTAINS(error("0 0 0 0 0 0 1", "0 0 0 0 0 1"), "9 values in cell array \"marker\"");
+  CHECK_CONTAINS(error("0 0 0 0 0 0 1", "0 0 0 0 0 1"),
+                 "found 9 values in array 'marker', expected 10 times 1");
   CHECK_CONTAINS(error("type=\"UnstructuredGrid\"", "type=\"PolyData\""),
                  "a.vtu:2: found VTKFile type");
   CHECK_CONTAINS(error("LittleEndian", "MiddleEndian"), "byte_order 'MiddleEndian'");

@@ -59,6 +59,17 @@ TEST_CASE("the numbers of the table are those of the quality report") {
   CHECK(quality_table(nullptr, now)[1].before == "-");
 }
 
+TEST_CASE("the table counts what cannot move, and says nothing where nothing was measured") {
+  QualityReport now = measure_quality(ring_mesh());
+  now.all_on_boundary = 1234;
+  CHECK(row(quality_table(nullptr, now), "Cannot move", 0).now == "1,234");
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  for (auto& metric : now.metrics) metric.statistics = {none, none, none};
+  const auto rows = quality_table(&now, now);
+  CHECK(row(rows, "Aspect ratio", 3).now == "-");
+  CHECK(row(rows, "Aspect ratio", 3).before == "-");
+}
+
 TEST_CASE("stretching is not judged: neither green for less of it nor red for more") {
   const QualityReport round = measure_quality(ring_mesh(24, 6));
   const QualityReport flat = measure_quality(ring_mesh(24, 24));
