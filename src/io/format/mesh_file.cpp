@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "io/file/atomic_file.h"
 #include "io/file/gzip.h"
+#include "io/format/foreign_formats.h"
 #include "io/format/mesh_format.h"
 #include "io/format/periodicity.h"
 
@@ -55,6 +56,8 @@ std::vector<std::string> marker_overlaps(const Topology& topology) {
 /// Detects the format by content; the extension decides only if the content is not conclusive.
 const MeshFormat* detect(const Source& source, const std::filesystem::path& path,
                          std::vector<std::string>& warnings) {
+  if (const ForeignFormat* foreign = foreign_format_of(Content(source.text()), path))
+    source.fail(0, refusal_of(*foreign, path));
   const MeshFormat* by_extension = format_of_extension(path);
   const MeshFormat* by_content = format_of_content(source.text());
   if (!by_extension && !by_content) {

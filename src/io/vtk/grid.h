@@ -88,7 +88,7 @@ Grid to_grid(const Mesh& mesh, const FormatDetails* source, std::vector<std::str
 /// version 3.0, which every reader understands.
 extern const MeshFormat legacy_format;
 /// VTK XML unstructured grids (.vtu). Reads ASCII, inline base64, and appended raw or base64 data,
-/// compressed by zlib or not. Writes ASCII or appended raw data.
+/// compressed by zlib or LZ4 or not. Writes ASCII or appended raw data.
 extern const MeshFormat vtu_format;
 
 }  // namespace winslow::io::vtk
