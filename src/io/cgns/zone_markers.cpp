@@ -81,13 +81,7 @@ class MarkerMaker {
         boundary_(boundary),
         sides_(sides),
         mesh_(mesh),
-        details_(details) {
-    for (std::size_t s = 0; s < sides.sections.size(); ++s) {
-      const auto& section = sides.sections[s];
-      for (std::size_t k = 0; k < section.count; ++k)
-        section_of_.emplace(sides.faces[section.first + k].sorted(), s);
-    }
-  }
+        details_(details) {}
 
   void add_condition(const NodeView& condition) {
     const auto set = read_point_set(condition, indices_);
@@ -103,7 +97,6 @@ class MarkerMaker {
       return;
     }
     std::string name = family_of(condition);
-    if (name.empty()) name = section_covered(faces);
     if (name.empty()) name = condition.name();
     details_.conditions[add(name, faces)].push_back(condition.name());
   }
@@ -139,20 +132,6 @@ class MarkerMaker {
     return {};
   }
 
-  /// Name of the section that consists of exactly these faces; empty: none.
-  std::string section_covered(const std::vector<Face>& faces) const {
-    const auto first = section_of_.find(faces.front().sorted());
-    if (first == section_of_.end()) return {};
-    const auto in_same = [&](const Face& face) {
-      const auto found = section_of_.find(face.sorted());
-      return found != section_of_.end() && found->second == first->second;
-    };
-    const auto& section = sides_.sections[first->second];
-    return faces.size() == section.count && std::all_of(faces.begin(), faces.end(), in_same)
-               ? section.name
-               : "";
-  }
-
   /// The name, or a variant of it that no marker has.
   std::string unused(std::string name) const {
     const auto taken = [&] {
@@ -184,7 +163,6 @@ class MarkerMaker {
   const ZoneSides& sides_;
   ParsedMesh& mesh_;
   Details& details_;
-  std::map<FaceKey, std::size_t> section_of_;
   std::set<FaceKey> named_;
 };
 
