@@ -225,7 +225,9 @@ void save(const EditJob& job, const std::vector<ZoneRun>& zones, RunReport& run)
 
 /// Reads the mesh, or the zones that the commands change.
 std::vector<ZoneRun> load(const EditJob& job, RunReport& run) {
-  std::vector<io::MeshFile> files = read_zones(job.files.input, job.files.zone);
+  std::vector<io::MeshFile> files =
+      read_zones(job.files.input, job.files.zone,
+                 job.files.repair ? io::Defects::repair : io::Defects::refuse);
   if (files.size() > 1 && !io::keeps_zones(job.files.output, *files[0].details)) {
     throw UsageError(job.files.output + ": cannot hold the " + std::to_string(files.size()) +
                      " zones of " + job.files.input + "; choose one with --zone N");

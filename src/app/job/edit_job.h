@@ -30,7 +30,8 @@ Index inverted_elements(const std::vector<ZoneRun>& zones);
 
 /// Reads the zone of that number; 0: all zones, in the order of the file. A file without zones is
 /// one mesh. Throws what io::read_mesh throws.
-std::vector<io::MeshFile> read_zones(const std::string& path, int zone);
+std::vector<io::MeshFile> read_zones(const std::string& path, int zone,
+                                     io::Defects defects = io::Defects::refuse);
 
 /// Warnings of all files without duplicates.
 std::vector<std::string> warnings_of(const std::vector<io::MeshFile>& files);

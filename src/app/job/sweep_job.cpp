@@ -372,7 +372,9 @@ MoveCommand all_bodies(const SweepJob& job) {
 }
 
 Inputs load(const SweepJob& job) {
-  std::vector<io::MeshFile> files = read_zones(job.files.input, job.files.zone);
+  std::vector<io::MeshFile> files =
+      read_zones(job.files.input, job.files.zone,
+                 job.files.repair ? io::Defects::repair : io::Defects::refuse);
   if (!job.files.quiet) print_warnings(warnings_of(files));
   std::vector<ZoneRun> zones =
       share_out(std::move(files), {Command(all_bodies(job))}, job.files.input);

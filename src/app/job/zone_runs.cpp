@@ -120,13 +120,13 @@ Index inverted_elements(const std::vector<ZoneRun>& zones) {
   return sum;
 }
 
-std::vector<io::MeshFile> read_zones(const std::string& path, int zone) {
+std::vector<io::MeshFile> read_zones(const std::string& path, int zone, io::Defects defects) {
   std::vector<io::MeshFile> files;
-  files.push_back(io::read_mesh(path, {.zone = zone}));
+  files.push_back(io::read_mesh(path, {.zone = zone, .defects = defects}));
   if (zone != 0) return files;
   const std::vector<int> numbers = files[0].details->zones;
   for (std::size_t i = 1; i < numbers.size(); ++i) {
-    files.push_back(io::read_mesh(path, {.zone = numbers[i]}));
+    files.push_back(io::read_mesh(path, {.zone = numbers[i], .defects = defects}));
   }
   return files;
 }

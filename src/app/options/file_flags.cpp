@@ -32,8 +32,15 @@ void add_zone_flag(CLI::App& app, int& zone, const std::string& without) {
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
 }
 
+void add_repair_flag(CLI::App& app, bool& repair) {
+  FlagGroup(app).on("--repair", repair,
+                    "Mend the mesh first: points in one place, elements given twice, without area "
+                    "or facing the other way, points of no element; each is counted");
+}
+
 void add_job_flags(CLI::App& app, JobFiles& files) {
   add_zone_flag(app, files.zone, "all that have the markers named, all zones if none is named");
+  add_repair_flag(app, files.repair);
   FlagGroup group(app, "Output");
   group.value("-o,--output", files.output, "OUT", "Mesh to write; may be IN itself");
   group.value("--report", files.report, "FILE.json",

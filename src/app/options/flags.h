@@ -57,6 +57,7 @@ inline constexpr std::string_view standard_output = "-";
 struct JobFiles {
   std::string input;
   int zone = 0;                ///< zone of the input; 0: all zones
+  bool repair = false;         ///< mend the input first
   std::string reference_mesh;  ///< whose shapes motions keep; empty: the input
   std::string output;
   std::string report;       ///< JSON; "-": to the standard output; empty: none
@@ -74,8 +75,10 @@ void add_input(CLI::App& app, std::string& input);
 void add_inputs(CLI::App& app, std::vector<std::string>& inputs);
 /// Declares --zone; `without`: text for the help on what happens without it.
 void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
-/// Declares --zone, -o, --report, --history, --memory, --allow-inverted, --accept-partial, --quiet
-/// and those of add_encoding_flags.
+/// Declares --repair.
+void add_repair_flag(CLI::App& app, bool& repair);
+/// Declares --zone, --repair, -o, --report, --history, --memory, --allow-inverted,
+/// --accept-partial, --quiet and those of add_encoding_flags.
 void add_job_flags(CLI::App& app, JobFiles& files);
 /// Declares --reference-mesh.
 void add_reference_mesh_flag(CLI::App& app, JobFiles& files);

@@ -22,6 +22,10 @@ struct MeasuredFile {
   std::vector<ZoneRun> zones;
   std::vector<std::string> warnings;  ///< of the reader
 
+  /// True if a zone is no sound mesh and is only shown.
+  bool defective() const {
+    return std::ranges::any_of(zones, [](const ZoneRun& zone) { return zone.source.defective; });
+  }
   Index inverted() const {
     Index sum = 0;
     for (const ZoneRun& zone : zones) sum += zone.quality.inverted;
@@ -114,9 +118,10 @@ class QualitySubcommand : public Subcommand {
       : Subcommand(program.add_subcommand(
             "quality",
             "Print the quality of meshes and their worst elements; exit status 4 if any element is "
-            "inverted")) {
+            "inverted, 3 if a file is no sound mesh")) {
     add_inputs(app(), inputs_);
     add_zone_flag(app(), zone_, "every zone is reported");
+    add_repair_flag(app(), repair_);
     FlagGroup group(app());
     worst_flag_ = group
                       .value_as("--worst", options_.worst, "N [10]",
@@ -145,7 +150,7 @@ class QualitySubcommand : public Subcommand {
     RunReport run;
     run.command = "quality";
     MeshList list(inputs_);
-    std::size_t read = 0, inverted = 0;
+    std::size_t read = 0, inverted = 0, defective = 0;
     for (const std::string& input : inputs_) {
       std::optional<MeasuredFile> file;
       try {
@@ -157,6 +162,7 @@ class QualitySubcommand : public Subcommand {
       }
       ++read;
       if (file->inverted() > 0) ++inverted;
+      if (file->defective()) ++defective;
       add(*file, run);
       if (quiet_) continue;
       print_warnings(several ? with_name(*file, file->warnings) : file->warnings);
@@ -168,7 +174,7 @@ class QualitySubcommand : public Subcommand {
     run.seconds.total = total.seconds();
     if (read > 0) save(run);
     if (several && !quiet_) print_end(read, inverted);
-    if (read < inputs_.size()) return ExitCode::input;
+    if (read < inputs_.size() || defective > 0) return ExitCode::input;
     return inverted > 0 ? ExitCode::inverted : ExitCode::done;
   }
 
@@ -188,7 +194,8 @@ class QualitySubcommand : public Subcommand {
   MeasuredFile measure(const std::string& input, Timings& seconds) const {
     Stopwatch lap;
     MeasuredFile file{input, {}, {}};
-    std::vector<io::MeshFile> meshes = read_zones(input, zone_);
+    std::vector<io::MeshFile> meshes =
+        read_zones(input, zone_, repair_ ? io::Defects::repair : io::Defects::show);
     file.warnings = warnings_of(meshes);
     file.zones = share_out(std::move(meshes), {}, input);
     seconds.load += lap.lap();
@@ -291,7 +298,7 @@ class QualitySubcommand : public Subcommand {
   int zone_ = 0;
   QualityOptions options_;
   CLI::Option* worst_flag_ = nullptr;
-  bool histogram_ = false, quiet_ = false;
+  bool histogram_ = false, quiet_ = false, repair_ = false;
 
   std::string rows_;  // of the table
   nlohmann::json meshes_ = nlohmann::json::array(), unread_ = nlohmann::json::array();

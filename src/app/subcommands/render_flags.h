@@ -38,7 +38,7 @@ struct RenderFlags {
   int per_command = 0, rate = 20;
   int turntable = 0;  // frames of a turn; 0: none
   std::vector<Index> vcvs;
-  bool dark = false, no_wireframe = false, no_legend = false, quiet = false;
+  bool dark = false, no_wireframe = false, no_legend = false, quiet = false, repair = false;
   VolumeFlags volume;
 };
 

@@ -25,6 +25,7 @@ struct FormatDetails {
   virtual ~FormatDetails() = default;
   const MeshFormat* format = nullptr;  ///< of the source
   bool binary = false;                 ///< the source was binary
+  bool changed = false;                ///< repaired, or parts left out: not what the file says
   std::vector<double> plane_z;         ///< z of each node, or one for all; empty: 0
   /// The plane of a mesh whose z is not constant; null: z is constant.
   std::shared_ptr<PlanePlacement> plane;
@@ -46,10 +47,22 @@ struct MeshFile {
   const MeshFormat* format = nullptr;            ///< null for one that came from no file
   std::shared_ptr<const FormatDetails> details;  ///< null for a mesh that came from no file
   std::vector<std::string> warnings;             ///< sentences; each names the file
+  bool defective = false;  ///< read to be shown (Defects::show), although it is no sound mesh
+};
+
+/// What to do with a file whose content is no mesh: an edge with three elements, two points in one
+/// place, elements without area, ...
+enum class Defects {
+  refuse,  ///< throw InputError
+  /// Read what can be shown: elements as they are where connectivity allows it, others left out. A
+  /// warning says what is wrong and where. For looking at a mesh, not for moving it.
+  show,
+  repair  ///< mend what can be mended (io/format/mesh_repair.h), refuse the rest
 };
 
 struct ReadOptions {
   int zone = 0;  ///< number of the zone to read, of formats that have zones; 0: the first
+  Defects defects = Defects::refuse;
 };
 
 /// Reads a mesh. The content decides the format (with a warning if the extension disagrees); the
