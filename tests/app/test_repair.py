@@ -26,7 +26,7 @@ class Repair(ProgramTest):
         run = self.winslow("convert", "broken.obj", "whole.obj", "--repair")
         for part in ("repaired: 1 point lies where an earlier one does: they are one now, at line 5",
                      "repaired: 1 element has the points of an earlier one: left out, at line 11",
-                     "repaired: 1 element faces the other way than its neighbours",
+                     "repaired: 2 elements face the other way than their neighbours, or inwards: turned",
                      "repaired: 1 point that no element uses is left out, at line 6"):
             self.assertIn("broken.obj: " + part, run.stderr)
         self.assertIn("Wrote whole.obj: 4 nodes, 4 elements", run.stdout)

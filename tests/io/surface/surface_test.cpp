@@ -9,6 +9,7 @@
 #include "io/format/mesh_format.h"
 #include "io/support/samples.h"
 #include "io/support/volume_samples.h"
+#include "io/surface/written_counts.h"
 #include "support/paths.h"
 
 namespace winslow::test {
@@ -377,6 +378,25 @@ TEST_CASE("OBJ: statements that go on behind a backslash") {
   CHECK(file.mesh.coordinates.xy(2) == Vec2(1, 1));
   CHECK_CONTAINS(input_error("a.obj", "v 0 0 \\\n x\n"), "a.obj:2: found 'x'");
   CHECK_CONTAINS(input_error("a.obj", "v 0 0 \\"), "a.obj:1: found the end");
+}
+
+TEST_CASE("counts are those of the file that is written") {
+  const Mesh volume = make_mesh(cube(2, Volumes::hexahedra));
+  const auto counts = [](const char* name, const Mesh& mesh) {
+    const io::MeshCounts found = io::written_counts(name, mesh, nullptr);
+    return std::array{static_cast<std::size_t>(found.nodes),
+                      static_cast<std::size_t>(found.elements), found.markers};
+  };
+  const std::size_t markers = volume.topology->markers().size();
+  CHECK(counts("a.su2", volume) == std::array<std::size_t, 3>{27, 8, markers});
+  CHECK(counts("a.obj.gz", volume) == std::array<std::size_t, 3>{26, 24, 0});
+  CHECK(counts("a.stl", volume) == std::array<std::size_t, 3>{26, 48, 0});
+  MeshData data = square(2, Cells::quads);
+  data.markers.clear();
+  const Mesh plane = make_mesh(data);
+  CHECK(counts("a.ply", plane) == std::array<std::size_t, 3>{9, 4, 0});
+  CHECK_FALSE(plane.topology->markers().empty());  // made of the boundary, and not written
+  CHECK(counts("a.su2", plane)[2] == 0);
 }
 
 }  // namespace winslow::test
