@@ -39,6 +39,10 @@ void add_reading_flags(CLI::App& app, io::ReadOptions& reading, const std::strin
       "--regions", reading.regions, "ARRAY",
       "Cell array of a VTK or VTU file whose whole numbers are the regions of the elements; "
       "without: one of the names that mesh generators and solvers use, such as MaterialIDs");
+  group.on(
+      "--repair", [&reading] { reading.defects = io::Defects::repair; },
+      "Mend the mesh first: points in one place, elements given twice, without area or facing "
+      "the other way, points of no element; each is counted");
 }
 
 void add_job_flags(CLI::App& app, JobFiles& files) {

@@ -44,6 +44,10 @@ class FlagGroup {
   CLI::Option* on(const char* name, bool& to, const std::string& help) {
     return app_.add_flag(name, to, help)->group(heading_);
   }
+  /// A flag without a value that does something.
+  CLI::Option* on(const char* name, std::function<void()> act, const std::string& help) {
+    return app_.add_flag_callback(name, std::move(act), help)->group(heading_);
+  }
 
  private:
   CLI::App& app_;
@@ -75,7 +79,8 @@ void add_input(CLI::App& app, std::string& input);
 void add_inputs(CLI::App& app, std::vector<std::string>& inputs);
 /// Declares --zone; `without`: text for the help on what happens without it.
 void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
-/// Declares --zone and --regions. without_zone: text for the help on what happens without --zone.
+/// Declares --zone, --regions and --repair. without_zone: text for the help on what happens without
+/// --zone.
 void add_reading_flags(CLI::App& app, io::ReadOptions& reading, const std::string& without_zone);
 /// Declares those of add_reading_flags, -o, --report, --history, --memory, --allow-inverted,
 /// --accept-partial, --quiet and those of add_encoding_flags.

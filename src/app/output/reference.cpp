@@ -11,6 +11,7 @@
 #include "core/layers/layer_plan.h"
 #include "core/motion/motion.h"
 #include "core/version.h"
+#include "io/format/foreign_formats.h"
 #include "io/format/mesh_format.h"
 
 namespace winslow::app {
@@ -327,6 +328,14 @@ void print_formats(std::ostream& out) {
   }
 }
 
+void print_foreign_formats(std::ostream& out) {
+  out << "| what the file is | extensions | converted by | command |\n|---|---|---|---|\n";
+  for (const io::ForeignFormat& foreign : io::foreign_formats()) {
+    out << "| " << foreign.title << " | " << code(std::string(foreign.extensions)) << " | "
+        << foreign.with << " | " << code(std::string(foreign.command)) << " |\n";
+  }
+}
+
 struct Reference {
   const char* name;
   void (*print)(std::ostream& out);
@@ -340,7 +349,8 @@ constexpr std::array references{Reference{"smoothing", print_table<SmoothOptions
                                 Reference{"layers", print_table<LayersCommand>},
                                 Reference{"scramble", print_table<ScrambleCommand>},
                                 Reference{"fields", print_fields},
-                                Reference{"formats", print_formats}};
+                                Reference{"formats", print_formats},
+                                Reference{"foreign", print_foreign_formats}};
 
 }  // namespace
 

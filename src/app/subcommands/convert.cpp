@@ -6,7 +6,7 @@
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
 #include "core/quality/quality.h"
-#include "io/format/mesh_file.h"
+#include "io/surface/written_counts.h"
 
 namespace winslow::app {
 namespace {
@@ -17,6 +17,7 @@ class ConvertSubcommand : public Subcommand {
       : Subcommand(program.add_subcommand(
             "convert", "Write a mesh in another format, its nodes where they are")) {
     add_input(app(), input_);
+    reading_.defects = io::Defects::show;
     add_reading_flags(app(), reading_, "all zones, where OUT can hold them");
     app().add_option("OUT", output_, "Mesh to write; its extension says the format")->type_name("");
     FlagGroup(app(), "Output")
@@ -59,11 +60,11 @@ class ConvertSubcommand : public Subcommand {
     Index nodes = 0, elements = 0, inverted = 0;
     std::size_t markers = 0;
     for (const io::MeshFile& file : files) {
-      const Topology& topology = *file.mesh.topology;
-      nodes += topology.node_count();
-      elements += topology.element_count();
-      markers += topology.markers().size();
-      inverted += check_validity(topology, file.mesh.coordinates).inverted;
+      const io::MeshCounts written = io::written_counts(output_, file.mesh, file.details.get());
+      nodes += written.nodes;
+      elements += written.elements;
+      markers += written.markers;
+      inverted += check_validity(*file.mesh.topology, file.mesh.coordinates).inverted;
     }
     if (inverted > 0) {
       print_warnings(

@@ -22,6 +22,10 @@ struct MeasuredFile {
   std::vector<ZoneRun> zones;
   std::vector<std::string> warnings;  ///< of the reader
 
+  /// True if a zone is no sound mesh and is only shown.
+  bool defective() const {
+    return std::ranges::any_of(zones, [](const ZoneRun& zone) { return zone.source.defective; });
+  }
   Index inverted() const {
     Index sum = 0;
     for (const ZoneRun& zone : zones) sum += zone.quality.inverted;
@@ -114,8 +118,9 @@ class QualitySubcommand : public Subcommand {
       : Subcommand(program.add_subcommand(
             "quality",
             "Print the quality of meshes and their worst elements; exit status 4 if any element is "
-            "inverted")) {
+            "inverted, 3 if a file is no sound mesh")) {
     add_inputs(app(), inputs_);
+    reading_.defects = io::Defects::show;
     add_reading_flags(app(), reading_, "every zone is reported");
     FlagGroup group(app());
     worst_flag_ = group
@@ -145,7 +150,7 @@ class QualitySubcommand : public Subcommand {
     RunReport run;
     run.command = "quality";
     MeshList list(inputs_);
-    std::size_t read = 0, inverted = 0;
+    std::size_t read = 0, inverted = 0, defective = 0;
     for (const std::string& input : inputs_) {
       std::optional<MeasuredFile> file;
       try {
@@ -157,6 +162,7 @@ class QualitySubcommand : public Subcommand {
       }
       ++read;
       if (file->inverted() > 0) ++inverted;
+      if (file->defective()) ++defective;
       add(*file, run);
       if (quiet_) continue;
       print_warnings(several ? with_name(*file, file->warnings) : file->warnings);
@@ -168,7 +174,7 @@ class QualitySubcommand : public Subcommand {
     run.seconds.total = total.seconds();
     if (read > 0) save(run);
     if (several && !quiet_) print_end(read, inverted);
-    if (read < inputs_.size()) return ExitCode::input;
+    if (read < inputs_.size() || defective > 0) return ExitCode::input;
     return inverted > 0 ? ExitCode::inverted : ExitCode::done;
   }
 

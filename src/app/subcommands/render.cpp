@@ -91,6 +91,7 @@ class RenderSubcommand : public Subcommand {
                                           "Draw a mesh as a picture (PNG, SVG or PDF); needs no "
                                           "display, inverted elements are red")) {
     add_input(app(), flags_.input);
+    flags_.reading.defects = io::Defects::show;
     add_reading_flags(app(), flags_.reading, "the first");
     FlagGroup group(app());
     group.value("-o,--output", flags_.output, "PIC", "Picture to write: .png, .svg or .pdf");
@@ -120,7 +121,8 @@ class RenderSubcommand : public Subcommand {
     const bool volume = file.mesh.topology->space_dimension() == 3;
     if (!flags_.quiet) {
       print_warnings(file.warnings);
-      if (flags_.reading.zone == 0) print_warnings(io::zones_left(file.details.get(), flags_.input));
+      if (flags_.reading.zone == 0)
+        print_warnings(io::zones_left(file.details.get(), flags_.input));
     }
     if (!flags_.frames.empty()) {
       const std::string said = draw_all_frames(file, volume);

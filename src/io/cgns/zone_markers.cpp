@@ -98,13 +98,7 @@ class MarkerMaker {
         boundary_(boundary),
         sides_(sides),
         mesh_(mesh),
-        details_(details) {
-    for (std::size_t s = 0; s < sides.sections.size(); ++s) {
-      const auto& section = sides.sections[s];
-      for (std::size_t k = 0; k < section.count; ++k)
-        section_of_.emplace(sides.faces[section.first + k].sorted(), s);
-    }
-  }
+        details_(details) {}
 
   void add_condition(const NodeView& condition) {
     const auto set = read_point_set(condition, indices_);
@@ -120,7 +114,6 @@ class MarkerMaker {
       return;
     }
     std::string name = family_of(condition);
-    if (name.empty()) name = section_covered(faces);
     if (name.empty()) name = condition.name();
     details_.conditions[add(name, faces)].push_back(condition.name());
   }
@@ -145,53 +138,41 @@ class MarkerMaker {
   }
 
  private:
-  /// Name of the section that consists of exactly these faces; empty: none.
-  std::string section_covered(const std::vector<Face>& faces) const {
-    const auto first = section_of_.find(faces.front().sorted());
-    if (first == section_of_.end()) return {};
-    const auto in_same = [&](const Face& face) {
-      const auto found = section_of_.find(face.sorted());
-      return found != section_of_.end() && found->second == first->second;
-    };
-    const auto& section = sides_.sections[first->second];
-    return faces.size() == section.count && std::all_of(faces.begin(), faces.end(), in_same)
-               ? section.name
-               : "";
-  }
+}
 
-  /// The name, or a variant of it that no marker has.
-  std::string unused(std::string name) const {
-    const auto taken = [&] {
-      return std::any_of(mesh_.data.markers.begin(), mesh_.data.markers.end(),
-                         [&](const Marker& marker) { return marker.name == name; });
-    };
-    while (taken()) name += '_';
-    return name;
-  }
+/// The name, or a variant of it that no marker has.
+std::string
+unused(std::string name) const {
+  const auto taken = [&] {
+    return std::any_of(mesh_.data.markers.begin(), mesh_.data.markers.end(),
+                       [&](const Marker& marker) { return marker.name == name; });
+  };
+  while (taken()) name += '_';
+  return name;
+}
 
-  /// Adds faces to the marker of that name, which is made if missing. Returns its index.
-  std::size_t add(const std::string& name, const std::vector<Face>& faces) {
-    auto& markers = mesh_.data.markers;
-    const auto found = std::find_if(markers.begin(), markers.end(),
-                                    [&](const Marker& marker) { return marker.name == name; });
-    const auto m = static_cast<std::size_t>(found - markers.begin());
-    if (found == markers.end()) {
-      markers.push_back({name, static_cast<int>(m) + 1, {}});
-      details_.conditions.emplace_back();
-    }
-    markers[m].faces.insert(markers[m].faces.end(), faces.begin(), faces.end());
-    for (const Face& face : faces) named_.insert(face.sorted());
-    return m;
+/// Adds faces to the marker of that name, which is made if missing. Returns its index.
+std::size_t add(const std::string& name, const std::vector<Face>& faces) {
+  auto& markers = mesh_.data.markers;
+  const auto found = std::find_if(markers.begin(), markers.end(),
+                                  [&](const Marker& marker) { return marker.name == name; });
+  const auto m = static_cast<std::size_t>(found - markers.begin());
+  if (found == markers.end()) {
+    markers.push_back({name, static_cast<int>(m) + 1, {}});
+    details_.conditions.emplace_back();
   }
+  markers[m].faces.insert(markers[m].faces.end(), faces.begin(), faces.end());
+  for (const Face& face : faces) named_.insert(face.sorted());
+  return m;
+}
 
-  std::size_t indices_;
-  std::string side_;  // name of a boundary side, "edge" or "face"
-  const ZoneBoundary& boundary_;
-  const ZoneSides& sides_;
-  ParsedMesh& mesh_;
-  Details& details_;
-  std::map<FaceKey, std::size_t> section_of_;
-  std::set<FaceKey> named_;
+std::size_t indices_;
+std::string side_;  // name of a boundary side, "edge" or "face"
+const ZoneBoundary& boundary_;
+const ZoneSides& sides_;
+ParsedMesh& mesh_;
+Details& details_;
+std::set<FaceKey> named_;
 };
 
 }  // namespace

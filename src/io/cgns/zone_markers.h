@@ -63,8 +63,7 @@ class BoundaryByNodes {
 /// Makes the markers of a zone, in this order:
 ///
 /// - from its boundary conditions (BC_t), named by the family (FamilyName) if there is one; else by
-///   the section of lines that the condition covers whole, as SU2 names them; else by the
-///   condition. Conditions of the same name become one marker;
+///   the condition. Conditions of the same name become one marker;
 /// - from its interfaces (GridConnectivity_t, GridConnectivity1to1_t), except those in `joined`:
 ///   their edges that are in no marker yet;
 /// - from the sections of lines: their lines that are in no marker yet, named by the section.

@@ -1,3 +1,4 @@
+#include "core/error.h"
 #include "io/cgns/cgns.h"
 #include "io/cgns/structured.h"
 #include "io/cgns/zone_markers.h"
@@ -114,10 +115,9 @@ class ZoneReader {
 
  private:
   void read_structured(const NodeView& grid, const VertexPlaces& places) {
-    const auto& [x, y, z] = places.of;
     std::vector<std::string> joined;
-    const Lattice lattice = make_lattice(zone_, head_, x, y, joined, mesh_.warnings);
-    add_cells(lattice, x, y, mesh_.data);
+    const Lattice lattice = make_lattice(zone_, head_, places, joined, mesh_.warnings);
+    add_cells(lattice, places, mesh_.data);
     place_nodes(grid, places, first_vertices(lattice));
     if (!joined.empty()) details_->node_of_vertex = lattice.node_of_vertex;
     const StructuredBoundary boundary(lattice, mesh_.data);
@@ -185,7 +185,13 @@ class ZoneFile {
     details->zone_name = place.zone.name();
     details->zone = static_cast<int>(chosen) + 1;
     details->zones = numbers_;
-    return ZoneReader(place, std::move(details)).read();
+    try {
+      return ZoneReader(place, std::move(details)).read();
+    } catch (const InputError& error) {
+      if (zones_.size() == 1) throw;
+      throw InputError(std::string(error.what()) + " (zone " + std::to_string(chosen + 1) + " of " +
+                       std::to_string(zones_.size()) + "; --zone N reads another one alone)");
+    }
   }
 
  private:

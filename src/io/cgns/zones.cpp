@@ -1,9 +1,11 @@
 #include "io/cgns/zones.h"
 
-#include <cmath>
+#include <cstdlib>
 
 #include "core/error.h"
 #include "core/types.h"
+#include "io/format/cell_of_faces.h"
+#include "io/format/foreign_formats.h"
 
 namespace winslow::io::cgns {
 
@@ -50,8 +52,6 @@ ZoneHead read_head(const ZonePlace& place) {
   if (kind != "Structured" && kind != "Unstructured")
     type->fail(in_quotes(kind), "Structured or Unstructured");
   head.structured = kind == "Structured";
-  if (head.structured && head.cell_dimension == 3)
-    zone.fail("a structured zone of three dimensions", "an unstructured one");
   const auto sizes = zone.integers();
   const std::size_t indices = head.structured ? static_cast<std::size_t>(head.cell_dimension) : 1;
   if (sizes.size() != 3 * indices) {
@@ -68,10 +68,10 @@ ZoneHead read_head(const ZonePlace& place) {
     }
     head.vertices.push_back(sizes[k]);
     head.vertex_count *= sizes[k];
+    if (head.vertex_count > std::numeric_limits<Index>::max())
+      zone.fail(std::to_string(head.vertex_count) + " vertices", "no more than can be numbered");
     head.cells *= head.structured ? sizes[k] - 1 : sizes[indices + k];
   }
-  if (head.vertex_count > std::numeric_limits<Index>::max())
-    zone.fail(std::to_string(head.vertex_count) + " vertices", "no more than can be numbered");
   return head;
 }
 
@@ -216,7 +216,6 @@ std::string element_hint(std::int64_t type, int cell_dimension) {
   const auto element = element_of(type);
   const int dimension = type == nface_n ? 3 : element ? dimension_of(*element) : 0;
   if (dimension > cell_dimension) return " (a 3D mesh)";
-  if (type == nface_n) return " (polyhedra)";
   const bool known = type > node_element && type < static_cast<std::int64_t>(names.size());
   return known && !element && type != bar_2 && type != mixed && type != ngon_n
              ? " (second or higher order)"
@@ -228,7 +227,8 @@ namespace {
 const char* wanted(int cell_dimension) {
   constexpr std::array wanted{
       "", "", "BAR_2, TRI_3, QUAD_4, MIXED or NGON_n of them",
-      "TETRA_4, PYRA_5, PENTA_6, HEXA_8 and TRI_3 and QUAD_4 around them, or MIXED"};
+      "TETRA_4, PYRA_5, PENTA_6, HEXA_8 and TRI_3 and QUAD_4 around them, MIXED, or NFACE_n of "
+      "NGON_n"};
   return wanted[at(cell_dimension)];
 }
 
@@ -271,15 +271,17 @@ class SectionReader {
     at_ = 0;
     places_.clear();
     const std::size_t first_side = sides_.faces.size();
+    faces_of_cells_ = section.type == nface_n && dimension_ == 3;
     if (section.type == node_element) {
       for (std::int64_t k = 0; k < section.count(); ++k) add_point();
     } else {
       const NodeView view = required(section.view, "ElementConnectivity");
       view_ = &view;
       connectivity_ = view.integers();
-      // The offsets are needed only for NGON_n written by CGNS 4, whose connectivity holds nothing
-      // but the corners. In MIXED and older NGON_n the connectivity is sufficient.
-      starts_ = section.type == ngon_n ? read_starts() : std::vector<std::int64_t>();
+      // The offsets are needed only for NGON_n and NFACE_n written by CGNS 4, whose connectivity
+      // holds nothing but the corners or faces. In MIXED and older ones it is sufficient.
+      starts_ = section.type == ngon_n || section.type == nface_n ? read_starts()
+                                                                  : std::vector<std::int64_t>();
       for (std::int64_t k = 0; k < section.count(); ++k) read_element(k);
       if (at_ != connectivity_.size()) {
         view.fail(std::to_string(connectivity_.size()) + " numbers",
@@ -292,6 +294,17 @@ class SectionReader {
           {section.view.name(), first_side, sides_.faces.size() - first_side});
     }
     sides_.numbers.add({section.first, section.last, std::move(places_)});
+  }
+
+  /// Sections of polygons list faces between cells, too. Such a section names no marker.
+  void drop_inner_sections() {
+    if (uses_.empty()) return;
+    uses_.resize(sides_.faces.size(), 0);
+    std::erase_if(sides_.sections, [&](const ZoneSides::Section& section) {
+      const auto begin = uses_.begin() + static_cast<std::ptrdiff_t>(section.first);
+      return std::any_of(begin, begin + static_cast<std::ptrdiff_t>(section.count),
+                         [](unsigned char uses) { return uses != 1; });
+    });
   }
 
  private:
@@ -323,6 +336,7 @@ class SectionReader {
       return add_point();
     }
     if (type == ngon_n) return read_polygon(k);
+    if (faces_of_cells_) return read_cell(k);
     if (type == bar_2) return read_line(k);
     const auto element = element_of(type);
     if (!element || dimension_of(*element) > dimension_) refuse(k, type);
@@ -348,10 +362,41 @@ class SectionReader {
     add(count == 3 ? ElementType::triangle : ElementType::quadrilateral);
   }
 
+  /// A cell of NFACE_n: the numbers of its faces, negative for those seen from inside.
+  void read_cell(std::int64_t k) {
+    const auto place = static_cast<std::size_t>(k);
+    const std::int64_t count =
+        starts_.empty() ? next_number(k) : starts_[place + 1] - starts_[place];
+    std::vector<Face> faces;
+    for (std::int64_t f = 0; f < count; ++f) {
+      const std::int64_t coded = next_number(k);
+      const std::int64_t face = coded == std::numeric_limits<std::int64_t>::min() ? 0 : coded;
+      const ElementPlace found = sides_.numbers.find(std::abs(face));
+      if (found.kind != ElementPlace::Kind::side) {
+        view_->fail("face " + std::to_string(coded) + " in " + number(k),
+                    "the number of a face in a section NGON_n");
+      }
+      faces.push_back(face < 0 ? sides_.faces[at(found.index)].reversed()
+                               : sides_.faces[at(found.index)]);
+      uses_.resize(sides_.faces.size(), 0);
+      ++uses_[at(found.index)];
+    }
+    const auto cell = cell_of_faces(faces);
+    if (!cell) {
+      section_->view.fail(number(k) + ", a polyhedron of " + std::to_string(count) + " faces",
+                          "tetrahedra, pyramids, prisms and hexahedra");
+    }
+    places_.push_back({ElementPlace::Kind::cell, mesh_.element_count()});
+    mesh_.add_element(cell->type, cell->corners);
+  }
+
   [[noreturn]] void refuse(std::int64_t k, std::int64_t type) const {
     const std::string where = section_->type == mixed ? " for " + number(k) : "";
-    section_->view.fail(element_name(type) + where + element_hint(type, dimension_),
-                        wanted(dimension_));
+    const std::string hint = element_hint(type, dimension_);
+    section_->view.fail(element_name(type) + where + hint,
+                        wanted(dimension_) + (hint.find("order") == std::string::npos
+                                                  ? std::string()
+                                                  : first_order_hint(section_->view.file())));
   }
 
   void read_corners(std::int64_t k, std::size_t count) {
@@ -391,6 +436,8 @@ class SectionReader {
   std::size_t at_ = 0;
   std::vector<Index> corners_;
   std::vector<ElementPlace> places_;
+  bool faces_of_cells_ = false;      // the section is NFACE_n
+  std::vector<unsigned char> uses_;  // by cells of NFACE_n, of each side
 };
 
 }  // namespace
@@ -415,7 +462,10 @@ void ElementNumbers::add(Range range) {
       std::adjacent_find(range.places.begin(), range.places.end(), breaks) == range.places.end();
   if (even) range.places.resize(1);
   range.places.shrink_to_fit();
-  ranges_.push_back(std::move(range));
+  const auto after =
+      std::upper_bound(ranges_.begin(), ranges_.end(), range.first,
+                       [](std::int64_t first, const Range& other) { return first < other.first; });
+  ranges_.insert(after, std::move(range));
 }
 
 ZoneSides read_sections(const NodeView& zone, const ZoneHead& head, MeshData& mesh) {
@@ -434,8 +484,12 @@ ZoneSides read_sections(const NodeView& zone, const ZoneHead& head, MeshData& me
                                 in_quotes(sections[s - 1].view.name()) + " has, too",
                             "numbers of its own");
     }
-    reader.read(sections[s]);
   }
+  // Cells of faces need their faces, wherever these stand.
+  std::stable_partition(sections.begin(), sections.end(),
+                        [](const Section& section) { return section.type != nface_n; });
+  for (const Section& section : sections) reader.read(section);
+  reader.drop_inner_sections();
   if (mesh.types.empty()) zone.fail("no elements", wanted(head.cell_dimension));
   return sides;
 }

@@ -28,7 +28,7 @@ struct ZoneHead {
   std::int64_t vertex_count = 0;
 };
 
-/// Throws InputError for a structured zone of three dimensions and for impossible sizes.
+/// Throws InputError for impossible sizes.
 ZoneHead read_head(const ZonePlace& place);
 
 /// The grid that winslow reads from a zone: the node called GridCoordinates. Throws InputError if
@@ -77,7 +77,7 @@ class ElementNumbers {
     std::vector<ElementPlace> places;  ///< of each number; one alone: of the first, then
                                        ///< consecutive
   };
-  /// Ranges must be added in ascending order. Consecutive places are stored as one.
+  /// Ranges may be added in any order. Consecutive places are stored as one.
   void add(Range range);
 
  private:

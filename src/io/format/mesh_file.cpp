@@ -6,7 +6,9 @@
 #include "core/error.h"
 #include "io/file/atomic_file.h"
 #include "io/file/gzip.h"
+#include "io/format/foreign_formats.h"
 #include "io/format/mesh_format.h"
+#include "io/format/mesh_repair.h"
 #include "io/format/periodicity.h"
 
 namespace winslow::io {
@@ -55,6 +57,8 @@ std::vector<std::string> marker_overlaps(const Topology& topology) {
 /// Detects the format by content; the extension decides only if the content is not conclusive.
 const MeshFormat* detect(const Source& source, const std::filesystem::path& path,
                          std::vector<std::string>& warnings) {
+  if (const ForeignFormat* foreign = foreign_format_of(Content(source.text()), path))
+    source.fail(0, refusal_of(*foreign, path));
   const MeshFormat* by_extension = format_of_extension(path);
   const MeshFormat* by_content = format_of_content(source.text());
   if (!by_extension && !by_content) {
@@ -108,6 +112,43 @@ const MeshFormat* folder_format(const std::filesystem::path& path, std::filesyst
   return nullptr;
 }
 
+/// Whether repair() mends what make_mesh() complains of.
+bool is_mended(const MeshError& error) {
+  const std::string_view text = error.what();
+  return std::ranges::any_of(
+      std::array<std::string_view, 4>{"(duplicate node)", "has no area", " twice", "given twice"},
+      [&](std::string_view part) { return text.find(part) != std::string_view::npos; });
+}
+
+/// Makes the mesh of a file. A mesh to be shown need not be sound.
+void build_mesh(const Source& source, const ReadOptions& options, ParsedMesh& parsed,
+                MeshFile& file) {
+  try {
+    file.mesh = winslow::make_mesh(parsed.data, &file.warnings);
+    return;
+  } catch (const MeshError& error) {
+    const std::size_t place = place_of(error, parsed.where);
+    const bool mends = options.defects != Defects::repair && is_mended(error);
+    const std::string hint = mends ? "; --repair mends it" : "";
+    if (options.defects != Defects::show) source.fail(place, error.what() + hint);
+    file.defective = true;
+    file.warnings.push_back(source.place(place) + ": " + error.what() +
+                            ": shown all the same; smooth and move refuse such a mesh" + hint);
+  }
+  try {
+    file.mesh = {Topology::build(parsed.data), parsed.data.coordinates};
+    return;
+  } catch (const MeshError&) {
+    for (const std::string& text : leave_out_defects(parsed, source))
+      file.warnings.push_back("to show the mesh: " + text);
+  }
+  try {
+    file.mesh = {Topology::build(parsed.data), parsed.data.coordinates};
+  } catch (const MeshError& error) {
+    source.fail(place_of(error, parsed.where), error.what());
+  }
+}
+
 /// A mesh file before its content is read.
 struct OpenedMesh {
   explicit OpenedMesh(const std::filesystem::path& path)
@@ -125,19 +166,21 @@ struct OpenedMesh {
 };
 
 /// Makes the mesh of what a reader has found.
-MeshFile finish(const OpenedMesh& opened, ParsedMesh parsed, std::vector<std::string> warnings) {
+MeshFile finish(const OpenedMesh& opened, const ReadOptions& options, ParsedMesh parsed,
+                std::vector<std::string> warnings) {
   MeshFile file;
   file.format = opened.format;
   file.warnings = std::move(warnings);
-  parsed.details->nodes = parsed.data.node_count();
-  parsed.details->elements = parsed.data.element_count();
   turn_to_viewer(parsed);
   file.warnings.insert(file.warnings.end(), parsed.warnings.begin(), parsed.warnings.end());
-  try {
-    file.mesh = make_mesh(parsed.data, &file.warnings);
-  } catch (const MeshError& error) {
-    opened.source.fail(place_of(error, parsed.where), error.what());
+  if (options.defects == Defects::repair) {
+    const auto mended = repair(parsed, opened.source);
+    for (const std::string& text : mended) file.warnings.push_back("repaired: " + text);
+    if (mended.empty()) file.warnings.emplace_back("repair: nothing to mend was found");
   }
+  build_mesh(opened.source, options, parsed, file);
+  parsed.details->nodes = file.mesh.topology->node_count();
+  parsed.details->elements = file.mesh.topology->element_count();
   for (std::string& text : marker_overlaps(*file.mesh.topology))
     file.warnings.push_back(std::move(text));
   parsed.details->format = file.format;
@@ -191,7 +234,7 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
   OpenedMesh opened(path);
   check_options(opened, options);
   ParsedMesh parsed = parse(opened, options);
-  return finish(opened, std::move(parsed), std::move(opened.warnings));
+  return finish(opened, options, std::move(parsed), std::move(opened.warnings));
 }
 
 std::vector<MeshFile> read_mesh_zones(const std::filesystem::path& path,
@@ -202,7 +245,7 @@ std::vector<MeshFile> read_mesh_zones(const std::filesystem::path& path,
   whole.zone = 0;
   check_options(opened, whole);
   const auto take = [&](ParsedMesh zone) {
-    files.push_back(finish(opened, std::move(zone), std::exchange(opened.warnings, {})));
+    files.push_back(finish(opened, options, std::move(zone), std::exchange(opened.warnings, {})));
   };
   if (opened.format->read_zones)
     opened.format->read_zones(opened.source, take);
@@ -234,6 +277,7 @@ std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mes
 bool copy_mesh(const std::filesystem::path& from, const std::filesystem::path& to,
                const FormatDetails* details, const WriteOptions& options) {
   const MeshFormat* format = options.format ? options.format : format_of_extension(to);
+  if (details && details->changed) return false;
   const bool as_it_was = options.keep_encoding && !options.binary && options.gmsh_version.empty() &&
                          options.cgns_container.empty() && !options.zone_alone;
   if (!format || !details || details->format != format || format->files || !as_it_was) return false;
@@ -272,7 +316,8 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
   check_dimension(path, *zones.front().mesh->topology, *format);
   const FormatDetails* details = zones.front().details;
   const bool as_source = details != nullptr && details->format == format;
-  const bool all_zones = format->write_zones && as_source && !options.zone_alone;
+  const bool all_zones =
+      format->write_zones && as_source && !options.zone_alone && !details->changed;
   if (zones.size() > 1 && !all_zones) {
     throw UsageError(path.string() + ": a " + std::string(format->title) +
                      " file cannot hold several zones; choose one with --zone N");

@@ -25,6 +25,7 @@ struct FormatDetails {
   virtual ~FormatDetails() = default;
   const MeshFormat* format = nullptr;  ///< of the source
   bool binary = false;                 ///< the source was binary
+  bool changed = false;                ///< repaired, or parts left out: not what the file says
   std::vector<double> plane_z;         ///< z of each node, or one for all; empty: 0
   /// The plane of a mesh whose z is not constant; null: z is constant.
   std::shared_ptr<PlanePlacement> plane;
@@ -50,6 +51,17 @@ struct MeshFile {
   const MeshFormat* format = nullptr;            ///< null for one that came from no file
   std::shared_ptr<const FormatDetails> details;  ///< null for a mesh that came from no file
   std::vector<std::string> warnings;             ///< sentences; each names the file
+  bool defective = false;  ///< read to be shown (Defects::show), although it is no sound mesh
+};
+
+/// What to do with a file whose content is no mesh: an edge with three elements, two points in one
+/// place, elements without area, ...
+enum class Defects {
+  refuse,  ///< throw InputError
+  /// Read what can be shown: elements as they are where connectivity allows it, others left out. A
+  /// warning says what is wrong and where. For looking at a mesh, not for moving it.
+  show,
+  repair  ///< mend what can be mended (io/format/mesh_repair.h), refuse the rest
 };
 
 struct ReadOptions {
@@ -57,6 +69,7 @@ struct ReadOptions {
   /// Name of the cell array that holds the regions, of formats that have arrays; empty: one of the
   /// names that are known.
   std::string regions = {};
+  Defects defects = Defects::refuse;
 };
 
 /// Reads a mesh. The content decides the format (with a warning if the extension disagrees); the
@@ -64,9 +77,9 @@ struct ReadOptions {
 /// byte N: ...". Never crashes on any content, and never allocates more than the file's size
 /// justifies. Throws UsageError for a zone or an array that the file does not have.
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
-/// Reads all zones of a file in the order of their numbers, whatever options.zone is; a file without
-/// zones is one. The time grows with the size of the file, not with the number of its zones. Throws
-/// as read_mesh() does.
+/// Reads all zones of a file in the order of their numbers, whatever options.zone is; a file
+/// without zones is one. The time grows with the size of the file, not with the number of its
+/// zones. Throws as read_mesh() does.
 std::vector<MeshFile> read_mesh_zones(const std::filesystem::path& path,
                                       const ReadOptions& options = {});
 

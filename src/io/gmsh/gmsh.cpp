@@ -80,6 +80,7 @@ Physicals physicals_by_entity(const Details& details) {
   Physicals physicals;
   for (std::size_t d = 0; d < 4; ++d) {
     for (const Entity& entity : details.entities[d]) physicals[d][entity.tag] = &entity.physicals;
+    for (const Entity& part : details.parts[d]) physicals[d][part.tag] = &part.physicals;
   }
   return physicals;
 }

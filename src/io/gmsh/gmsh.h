@@ -91,8 +91,11 @@ struct Details : BoundaryDetails {
   std::vector<Section> sections;  ///< all but $MeshFormat, in the order of the file
   std::vector<PhysicalName> physical_names;
   std::array<std::vector<Entity>, 4> entities;  ///< by dimension; 4.1 only
-  std::vector<NodeBlock> node_blocks;           ///< 4.1 only
-  std::vector<std::int64_t> node_tags;          ///< empty: 1, 2, 3, ...
+  /// Parts of entities in a partitioned file ($PartitionedEntities, which is kept as it is): their
+  /// tags and physical groups.
+  std::array<std::vector<Entity>, 4> parts;
+  std::vector<NodeBlock> node_blocks;   ///< 4.1 only
+  std::vector<std::int64_t> node_tags;  ///< empty: 1, 2, 3, ...
   std::vector<Item> items;
   std::vector<PeriodicLink> links;  ///< parsed from the raw text of $Periodic
 

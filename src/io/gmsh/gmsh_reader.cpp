@@ -1,5 +1,6 @@
 #include <set>
 
+#include "io/format/foreign_formats.h"
 #include "io/gmsh/gmsh.h"
 #include "io/gmsh/value_reader.h"
 #include "io/text/numbers.h"
@@ -291,8 +292,9 @@ class ElementReader {
     source().fail(
         offset,
         "element type " + std::to_string(type) + (high_order ? " (second or higher order)" : ""),
-        "1 (line), 2 (triangle), 3 (quadrilateral), 4 (tetrahedron), 5 (hexahedron), "
-        "6 (prism), 7 (pyramid) or 15 (point)");
+        std::string("1 (line), 2 (triangle), 3 (quadrilateral), 4 (tetrahedron), 5 (hexahedron), "
+                    "6 (prism), 7 (pyramid) or 15 (point)") +
+            (high_order ? first_order_hint(source().name()) : ""));
   }
 
   void skip_tag(ValueReader& values, int position, Item& item, const Expected& expected) {
@@ -435,25 +437,25 @@ class Reader {
     }
     const std::string name(line.substr(1));
     const bool known = name == "PhysicalNames" || name == "Entities" || name == "Nodes" ||
-                       name == "Elements" || name == "Periodic";
+                       name == "Elements" || name == "Periodic" || name == "PartitionedEntities";
     if (known && seen(name)) source_.fail(begin, "a second section $" + name, "one only");
-    if (name == "PartitionedEntities") {
-      source_.fail(begin, "$PartitionedEntities", "a mesh that is not partitioned");
-    }
     if (name == "ParametricNodes") {
       source_.fail(begin, "$ParametricNodes", "$Nodes (save without parametric coordinates)");
     }
     if (!known) return read_raw(name, begin);
     details_->sections.push_back({name, {}});
     if (name == "PhysicalNames") read_physical_names();
-    if (name == "Entities") read_entities();
+    if (name == "Entities") read_entities(scan_, *details_);
     if (name == "Nodes") nodes_.read();
     if (name == "Elements") {
       if (!seen("Nodes")) source_.fail(scan_.offset(), "$Elements before $Nodes", "$Nodes first");
       elements_.read();
     }
-    if (name == "Periodic") {
+    const bool kept = name == "Periodic" || name == "PartitionedEntities";
+    if (name == "Periodic")
       details_->links = read_links(scan_, details_->version_4, details_->binary);
+    if (name == "PartitionedEntities") partitions_ = read_parts(scan_, *details_);
+    if (kept) {
       end_section(name);
       // Keep the bytes, to write them back unchanged.
       details_->sections.back().raw = source_.text().substr(begin, scan_.offset() - begin);
@@ -520,41 +522,6 @@ class Reader {
                        [&](const auto& s) { return s.name == section; });
   }
 
-  void read_entities() {
-    const std::size_t begin = scan_.offset();
-    if (!details_->version_4) source_.fail(begin, "$Entities in MSH 2", "$Nodes");
-    ValueReader values(scan_, details_->binary);
-    values.begin();
-    std::array<Index, 4> counts{};
-    for (Index& n : counts) n = values.count({"a number of entities"}, 8, 36);
-    values.end({"the end of the line"});
-    for (int dimension = 0; dimension < 4; ++dimension) {
-      const Index n = counts[at(dimension)];
-      for (Index i = 0; i < n; ++i) read_entity(values, dimension, i, n);
-    }
-  }
-
-  void read_entity(ValueReader& values, int dimension, Index index, Index count) {
-    const std::string what = std::string(entity_names[at(dimension)]) + " entity";
-    const Expected expected{what.c_str(), index, count};
-    values.begin();
-    Entity entity;
-    entity.tag = values.integer(expected);
-    for (std::size_t k = 0; k < box_numbers[at(dimension)]; ++k)
-      entity.box[k] = values.real(expected);
-    entity.physicals = read_tags(values, "a physical tag");
-    if (dimension > 0) entity.boundary = read_tags(values, "the tag of a bounding entity");
-    values.end(expected);
-    details_->entities[at(dimension)].push_back(std::move(entity));
-  }
-
-  std::vector<int> read_tags(ValueReader& values, const char* what) {
-    const Index n = values.count({what}, 2, 4);
-    std::vector<int> tags(static_cast<std::size_t>(n));
-    for (int& tag : tags) tag = values.integer({what});
-    return tags;
-  }
-
   void finish() {
     const std::size_t end = source_.text().size();
     if (!seen("Nodes")) source_.fail(end, "no section $Nodes", "the nodes of the mesh");
@@ -565,6 +532,10 @@ class Reader {
     details_->periodic->pairs = pairs_of(source_, *details_, nodes_.tags(), mesh_.data);
     if (nodes_.parametric()) {
       mesh_.warnings.emplace_back("parametric coordinates of nodes are not kept");
+    }
+    if (partitions_ > 0) {
+      mesh_.warnings.push_back("the file has " + std::to_string(partitions_) +
+                               " partitions: read as one mesh, they are kept as they are");
     }
     if (elements_.partitioned()) {
       mesh_.warnings.emplace_back("the partitions of elements are not kept");
@@ -584,6 +555,7 @@ class Reader {
   std::shared_ptr<Details> details_ = std::make_shared<Details>();
   NodeReader nodes_{scan_, *details_, mesh_};
   ElementReader elements_{scan_, nodes_.tags(), *details_, mesh_};
+  std::int64_t partitions_ = 0;
   std::set<std::pair<int, int>> named_groups_;  ///< dimension and tag
 };
 

@@ -265,14 +265,20 @@ std::vector<std::string> write(std::ostream& out, const Mesh& mesh, const Format
   const auto* details = dynamic_cast<const Details*>(source);
   const bool newest = details == nullptr || details->version_4;
   const bool version_4 = options.gmsh_version.empty() ? newest : options.gmsh_version == "4.1";
-  const bool kept = details != nullptr && details->version_4 == version_4 && details->fits(mesh);
+  const bool same_version = details != nullptr && details->version_4 == version_4;
+  // Partitions are bytes in one encoding.
+  const bool cut = same_version && details->binary != options.binary &&
+                   std::ranges::any_of(details->parts, [](const auto& of) { return !of.empty(); });
+  const bool kept = same_version && !cut && details->fits(mesh);
   if (details != nullptr && !kept) {
-    warnings.emplace_back(details->version_4 == version_4
-                              ? "the mesh has changed: entities, tags and unknown sections of the "
-                                "source are not written"
-                              : "another MSH version than the source's: entities, tags, points and "
-                                "unknown sections are "
-                                "not written");
+    warnings.emplace_back(
+        cut            ? "another encoding than the source's: partitions, entities and tags are "
+                         "not written"
+        : same_version ? "the mesh has changed: entities, tags and unknown sections of the "
+                         "source are not written"
+                       : "another MSH version than the source's: entities, tags, points and "
+                         "unknown sections are "
+                         "not written");
   }
   if (kept) warnings = stale_pairs(*details, mesh);
   if (kept && details->binary != options.binary) {

@@ -72,6 +72,12 @@ class NodeTags {
   std::unordered_map<std::int64_t, Index> sparse_;
 };
 
+/// Reads $Entities into Details::entities.
+void read_entities(Scanner& scan, Details& details);
+/// Reads $PartitionedEntities, the pieces into which Gmsh cut the entities, into Details::parts.
+/// Returns the number of partitions.
+std::int64_t read_parts(Scanner& scan, Details& details);
+
 /// Reads $Periodic. In MSH 2 this section is text even in binary files.
 std::vector<PeriodicLink> read_links(Scanner& scan, bool version_4, bool binary);
 

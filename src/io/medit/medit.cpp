@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/types.h"
+#include "io/format/foreign_formats.h"
 #include "io/format/mesh_in_space.h"
 #include "io/text/numbers.h"
 #include "io/text/source.h"
@@ -214,8 +215,13 @@ class Reader {
   void finish() {
     if (!has_section(Part::vertices))
       source_.fail(source_.text().size(), "no Vertices", "the nodes of the mesh");
-    if (mesh_.data.types.empty())
-      source_.fail(source_.text().size(), "no elements", "triangles, tetrahedra or the like");
+    if (mesh_.data.types.empty()) {
+      const bool second = unknown_.find("P2") != std::string::npos;
+      source_.fail(source_.text().size(),
+                   second ? "only elements of second order (" + unknown_ + ")" : "no elements",
+                   std::string("triangles, tetrahedra or the like") +
+                       (second ? first_order_hint(source_.name()) : ""));
+    }
     const auto nodes = static_cast<Index>(xyz_.size() / 3);
     for (std::size_t s = 0; s < details_->sides.size(); ++s) {
       for (const Index node : details_->sides[s]) {

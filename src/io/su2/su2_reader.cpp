@@ -1,5 +1,6 @@
 #include <set>
 
+#include "io/format/foreign_formats.h"
 #include "io/format/mesh_in_space.h"
 #include "io/su2/su2.h"
 #include "io/su2/su2_lines.h"
@@ -284,7 +285,12 @@ class Reader {
     if (const auto element = element_of(*type, dimensions_.cells)) return *element;
     source_.fail(source_.offset_of(word),
                  "element type " + std::string(word) + type_hint(*type, dimensions_, false),
-                 element_list(dimensions_.cells));
+                 element_list(dimensions_.cells) + first_order_way(*type));
+  }
+
+  std::string first_order_way(std::int64_t type) const {
+    const bool second = type_hint(type, dimensions_, false).find("order") != std::string::npos;
+    return second ? first_order_hint(source_.name()) : "";
   }
 
   void read_point_section(const Line& l) {

@@ -85,7 +85,7 @@ Vec3 WrittenSurface::normal(const FileCorners& corners) const {
   return length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero());
 }
 
-std::vector<std::string> lost_in_surface(const Mesh& mesh, bool keeps_groups) {
+std::vector<std::string> lost_in_surface(const Mesh& mesh, bool keeps_groups, bool keeps_regions) {
   std::vector<std::string> warnings;
   const bool volume = mesh.topology->cell_dimension() == 3;
   if (volume) warnings.emplace_back("this format holds surfaces: only the boundary is written");
@@ -93,7 +93,7 @@ std::vector<std::string> lost_in_surface(const Mesh& mesh, bool keeps_groups) {
   if (!kept && mesh.topology->markers().from_file() && !mesh.topology->markers().empty()) {
     warnings.emplace_back("this format has no markers: they are lost");
   }
-  if (!mesh.topology->regions().empty()) {
+  if (!mesh.topology->regions().empty() && (volume || !keeps_regions)) {
     warnings.emplace_back("this format has no regions: the names of element sets are lost");
   }
   return warnings;
@@ -119,7 +119,8 @@ std::string dropped_with(std::string_view word) {
 }
 
 bool known_keyword(std::string_view word) {
-  return word == "p" || word == "s" || !dropped_with(word).empty() || word.front() == '#';
+  return word.empty() || word == "p" || word == "s" || !dropped_with(word).empty() ||
+         word.front() == '#';
 }
 
 /// One corner of a face: "7", "7/1", "7//3" or "7/1/3"; counted from 1, or, if negative, backwards
@@ -133,8 +134,53 @@ Index corner(const Scanner& scan, std::string_view word, Index vertices) {
   return static_cast<Index>(*number > 0 ? *number - 1 : vertices + *number);
 }
 
+/// Reads statements of an OBJ file. A backslash at the end of a line continues the statement on
+/// the next line.
+class ObjScanner : public Scanner {
+ public:
+  using Scanner::Scanner;
+
+  /// The next word of the statement; empty at its end.
+  std::string_view word() {
+    auto found = Scanner::word();
+    while (found == "\\" && rest_is_blank()) {
+      Scanner::line();
+      found = Scanner::word();
+    }
+    // The backslash may follow a word without a blank.
+    if (found.size() > 1 && found.back() == '\\' && rest_is_blank()) {
+      found.remove_suffix(1);
+      seek(source().offset_of(found) + found.size());
+    }
+    return found;
+  }
+
+  double number(const Expected& expected) {
+    const auto found = word();
+    const auto value = parse_number(found);
+    if (!value) fail(found, expected);
+    return *value;
+  }
+
+  /// Skips the rest of the statement.
+  void end() {
+    for (;;) {
+      const auto rest = trimmed(line());
+      if (!rest.ends_with('\\')) return;
+    }
+  }
+
+ private:
+  bool rest_is_blank() {
+    const std::size_t here = offset();
+    const bool blank = trimmed(line()).empty();
+    seek(here);
+    return blank;
+  }
+};
+
 ParsedMesh read_obj(Source& source) {
-  Scanner scan(source);
+  ObjScanner scan(source);
   Builder builder(source);
   std::vector<Index> corners;
   bool lines = false;
@@ -162,7 +208,11 @@ ParsedMesh read_obj(Source& source) {
     } else if (!known_keyword(keyword)) {
       scan.fail(keyword, "v, f or another keyword of an OBJ file");
     }
-    scan.line();
+    // A comment may end in a backslash, as names of Windows folders do.
+    if (keyword.starts_with('#'))
+      scan.line();
+    else
+      scan.end();
   }
   if (lines) builder.mesh().warnings.emplace_back("line elements are not kept");
   return builder.finish();

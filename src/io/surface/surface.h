@@ -67,7 +67,9 @@ class WrittenSurface {
   std::vector<Group> groups_;
 };
 
-/// Sentences about content that a surface format cannot hold. keeps_groups: it has named parts.
-std::vector<std::string> lost_in_surface(const Mesh& mesh, bool keeps_groups = false);
+/// Sentences about content that a surface format cannot hold. keeps_groups: it has named parts of
+/// the boundary of a volume mesh; keeps_regions: and of a surface.
+std::vector<std::string> lost_in_surface(const Mesh& mesh, bool keeps_groups = false,
+                                         bool keeps_regions = false);
 
 }  // namespace winslow::io::surface

@@ -107,6 +107,14 @@ std::string Source::where(std::size_t offset) const {
   return *name + ":" + std::to_string(lines + 1);
 }
 
+std::string Source::place(std::size_t offset) const {
+  if (!part_.empty()) return part_;
+  const std::string text = where(offset);
+  const auto byte = text.rfind(": byte ");
+  return byte != std::string::npos ? text.substr(byte + 2)
+                                   : "line " + text.substr(text.rfind(':') + 1);
+}
+
 void Source::fail(std::size_t offset, const std::string& message) const {
   throw InputError(where(offset) + ": " + message);
 }

@@ -39,6 +39,8 @@ class Source {
 
   /// "FILE:LINE" (lines count from 1), "FILE: byte N" (bytes count from 0) or "FILE: PART".
   std::string where(std::size_t offset) const;
+  /// The same without the name of the file: "line 12", "byte 84", "/Base/Zone".
+  std::string place(std::size_t offset) const;
   /// Throws InputError "FILE:LINE: message".
   [[noreturn]] void fail(std::size_t offset, const std::string& message) const;
   /// Throws InputError "FILE:LINE: found FOUND, expected EXPECTED".

@@ -1,6 +1,6 @@
 #include "io/ugrid/ugrid.h"
 
-#include <cstring>
+#include <cstdlib>
 #include <set>
 
 #include "io/file/gzip.h"
@@ -14,18 +14,6 @@ constexpr std::size_t header_numbers = 7;
 
 std::filesystem::path without_gzip(const std::filesystem::path& path) {
   return is_gzip_name(path) ? path.parent_path() / path.stem() : path;
-}
-
-/// Smallest size of a file with these counts, in bytes; 0 for impossible counts.
-std::uint64_t size_of(const std::array<std::int64_t, header_numbers>& counts, bool single) {
-  const std::uint64_t point = single ? 12 : 24;
-  const std::array<std::uint64_t, header_numbers> bytes{point, 16, 20, 16, 20, 24, 32};
-  std::uint64_t size = header_numbers * 4;
-  for (std::size_t k = 0; k < header_numbers; ++k) {
-    if (counts[k] < 0) return 0;
-    size += static_cast<std::uint64_t>(counts[k]) * bytes[k];
-  }
-  return counts[0] > 0 ? size : 0;
 }
 
 /// True for the first line of a text file: seven numbers; the first one (nodes) is not zero.
@@ -49,28 +37,98 @@ Evidence recognise(const Content& content) {
 
 }  // namespace
 
+std::uint64_t content_size(const std::array<std::int64_t, header_numbers>& counts,
+                           const Encoding& encoding) {
+  const std::uint64_t integer = encoding.integer_bytes();
+  // Of nodes the coordinates, of boundary faces the corners and the surface, of elements corners.
+  const std::array<std::uint64_t, header_numbers> bytes{3 * encoding.real_bytes(),
+                                                        4 * integer,
+                                                        5 * integer,
+                                                        4 * integer,
+                                                        5 * integer,
+                                                        6 * integer,
+                                                        8 * integer};
+  constexpr std::int64_t most = std::int64_t{1} << 40;  // sums stay far from overflow
+  std::uint64_t size = header_numbers * integer;
+  for (std::size_t k = 0; k < header_numbers; ++k) {
+    if (counts[k] < 0 || counts[k] > most) return 0;
+    size += static_cast<std::uint64_t>(counts[k]) * bytes[k];
+  }
+  return counts[0] > 0 ? size : 0;
+}
+
+std::vector<Record> find_records(std::string_view content, bool big_endian) {
+  const auto length_at = [&](std::size_t offset) {
+    return number_at<std::int64_t>(content.data() + offset, {false, true, 4}, big_endian);
+  };
+  std::vector<Record> records;
+  for (std::size_t begin = 0; begin < content.size();) {
+    if (content.size() - begin < 8) return {};
+    const auto length = static_cast<std::size_t>(std::abs(length_at(begin)));
+    if (length > content.size() - begin - 8) return {};
+    const std::size_t end = begin + 4 + length;
+    if (static_cast<std::size_t>(std::abs(length_at(end))) != length) return {};
+    records.push_back({begin + 4, end});
+    begin = end + 4;
+  }
+  return records;
+}
+
 std::optional<Encoding> encoding_of_name(const std::filesystem::path& path) {
   const std::string extension = without_gzip(path).stem().extension().string();
-  if (extension == ".b8") return Encoding{true, true, false};
-  if (extension == ".lb8") return Encoding{true, false, false};
-  if (extension == ".b4") return Encoding{true, true, true};
-  if (extension == ".lb4") return Encoding{true, false, true};
-  return std::nullopt;
+  std::string_view letters = extension;
+  const auto skips = [&](std::string_view wanted) {
+    const bool found = letters.starts_with(wanted);
+    if (found) letters.remove_prefix(wanted.size());
+    return found;
+  };
+  if (!skips(".")) return std::nullopt;
+  Encoding encoding{true};
+  encoding.big_endian = !skips("l");
+  encoding.records = skips("r");
+  if (!encoding.records && !skips("b")) return std::nullopt;
+  encoding.single = skips("4");
+  if (!encoding.single && !skips("8")) return std::nullopt;
+  encoding.wide = skips("l");
+  return letters.empty() ? std::optional(encoding) : std::nullopt;
 }
+
+namespace {
+
+/// True if the counts that the content has in this encoding fit its size.
+bool fits_size(std::string_view content, const Encoding& encoding) {
+  const std::size_t header = header_numbers * encoding.integer_bytes();
+  std::uint64_t size = content.size();
+  std::size_t begin = 0;
+  if (encoding.records) {
+    const std::vector<Record> records = find_records(content, encoding.big_endian);
+    if (records.empty() || records.front().end - records.front().begin < header) return false;
+    begin = records.front().begin;
+    size = 0;
+    for (const Record& record : records) size += record.end - record.begin;
+  }
+  if (size < header) return false;
+  std::array<std::int64_t, header_numbers> counts{};
+  for (std::size_t k = 0; k < header_numbers; ++k) {
+    counts[k] =
+        number_at<std::int64_t>(content.data() + begin + k * encoding.integer_bytes(),
+                                {false, true, encoding.integer_bytes()}, encoding.big_endian);
+  }
+  return content_size(counts, encoding) == size;
+}
+
+}  // namespace
 
 std::optional<Encoding> encoding_of_content(std::string_view content) {
   if (is_text_header(Content(content).first_line)) return Encoding{};
-  if (content.size() < header_numbers * 4) return std::nullopt;
-  for (const bool big_endian : {true, false}) {
-    std::array<std::int64_t, header_numbers> counts{};
-    for (std::size_t k = 0; k < header_numbers; ++k) {
-      std::uint32_t value = 0;
-      std::memcpy(&value, content.data() + 4 * k, sizeof value);
-      if (big_endian) value = __builtin_bswap32(value);
-      counts[k] = static_cast<std::int32_t>(value);
-    }
-    for (const bool single : {false, true}) {
-      if (size_of(counts, single) == content.size()) return Encoding{true, big_endian, single};
+  for (const bool wide : {false, true}) {
+    for (const bool records : {false, true}) {
+      for (const bool big_endian : {true, false}) {
+        for (const bool single : {false, true}) {
+          const Encoding encoding{true, big_endian, single, records, wide};
+          if (fits_size(content, encoding)) return encoding;
+        }
+      }
     }
   }
   return std::nullopt;
@@ -86,7 +144,10 @@ std::filesystem::path mapbc_path(const std::filesystem::path& path) {
 const MeshFormat format{.name = "ugrid",
                         .title = "AFLR3",
                         .versions = "UGRID with .mapbc",
-                        .encodings = "text, binary (.b8.ugrid, .lb8.ugrid, .b4.ugrid, .lb4.ugrid)",
+                        .encodings =
+                            "text, binary (.b8.ugrid, .lb8.ugrid, .b4.ugrid, .lb4.ugrid), "
+                            "records of Fortran (.r8.ugrid, .lr8.ugrid, ...), 64-bit "
+                            "integers (.b8l.ugrid, .lb8l.ugrid, .lr8l.ugrid, ...)",
                         .markers = "yes, tag, and name in .mapbc",
                         .regions = "no",
                         .quadrilaterals = "no plane meshes",

@@ -7,11 +7,18 @@
 /// and FUN3D's .mapbc file beside the grid: names and boundary conditions of surfaces.
 namespace winslow::io::ugrid {
 
-/// Encoding of a file, by its last but one extension: none, .b8, .lb8, .b4, .lb4.
+/// Encoding of a file, by its last but one extension: none (text), or, in this order, "l" for
+/// little-endian, "b" for plain bytes or "r" for records of Fortran, "8" or "4" for the bytes of a
+/// coordinate, "l" for integers of 64 bits: .b8, .lb8, .b4, .lb4, .r8, .lr8, .b8l, .lb8l, ...
 struct Encoding {
   bool binary = false;
   bool big_endian = false;
-  bool single = false;  ///< coordinates of 4 bytes
+  bool single = false;   ///< coordinates of 4 bytes
+  bool records = false;  ///< two records of Fortran, unformatted: the counts, and all the rest
+  bool wide = false;     ///< integers of 64 bits
+
+  std::size_t integer_bytes() const { return wide ? 8 : 4; }
+  std::size_t real_bytes() const { return single ? 4 : 8; }
 
   bool operator==(const Encoding&) const = default;
 };
@@ -21,11 +28,22 @@ std::optional<Encoding> encoding_of_name(const std::filesystem::path& path);
 /// first line holds the counts.
 std::optional<Encoding> encoding_of_content(std::string_view content);
 
+/// The content of a record of a file that Fortran wrote unformatted: a range of bytes. The length
+/// of the record stands before and behind it, in four bytes each.
+struct Record {
+  std::size_t begin, end;
+};
+/// All records of a file; nothing if the lengths do not fit the content. Negative lengths mark
+/// parts of records of more than 2 GiB.
+std::vector<Record> find_records(std::string_view content, bool big_endian);
+
 /// The counts of a file, in the order of its first line.
 struct Counts {
   std::int64_t nodes = 0, triangles = 0, quadrilaterals = 0;
   std::array<std::int64_t, 4> elements{};  ///< in the order of element_order
 };
+/// Bytes of a binary file with these counts, without lengths of records; 0 for impossible counts.
+std::uint64_t content_size(const std::array<std::int64_t, 7>& counts, const Encoding& encoding);
 constexpr std::array<ElementType, 4> element_order{ElementType::tetrahedron, ElementType::pyramid,
                                                    ElementType::prism, ElementType::hexahedron};
 

@@ -13,24 +13,34 @@ namespace {
 class Numbers {
  public:
   Numbers(const Source& source, const Encoding& encoding)
-      : source_(source), scan_(source), encoding_(encoding) {}
+      : source_(source), scan_(source), encoding_(encoding) {
+    if (!encoding.records) return;
+    records_ = find_records(source.text(), encoding.big_endian);
+    if (records_.empty())
+      source.fail(0, "no records of Fortran", "a file as its name says, or another name");
+    scan_.seek(records_.front().begin);
+  }
 
   std::size_t offset() {
     if (!encoding_.binary) scan_.skip_space();
+    enter_record();
     return scan_.offset();
   }
   std::size_t bytes_left() const { return scan_.bytes_left(); }
+  /// True behind the last number.
+  bool at_end() {
+    const std::size_t here = offset();
+    return records_.empty() ? here >= source_.text().size() : here >= records_.back().end;
+  }
 
   std::int64_t integer(const Expected& expected) {
     if (encoding_.binary)
-      return scan_.bytes<std::int64_t>({false, true, 4}, encoding_.big_endian, expected);
+      return binary<std::int64_t>({false, true, encoding_.integer_bytes()}, expected);
     scan_.skip_space();
     return scan_.integer(expected);
   }
   double real(const Expected& expected) {
-    if (encoding_.binary)
-      return scan_.bytes<double>({true, true, encoding_.single ? std::size_t{4} : 8},
-                                 encoding_.big_endian, expected);
+    if (encoding_.binary) return binary<double>({true, true, encoding_.real_bytes()}, expected);
     scan_.skip_space();
     return scan_.number(expected);
   }
@@ -43,9 +53,35 @@ class Numbers {
   }
 
  private:
+  /// Leaves a record that has been read to its end.
+  void enter_record() {
+    while (record_ + 1 < records_.size() && scan_.offset() == records_[record_].end)
+      scan_.seek(records_[++record_].begin);
+  }
+
+  template <class Number>
+  Number binary(const BinaryNumber& kind, const Expected& expected) {
+    if (records_.empty()) return scan_.bytes<Number>(kind, encoding_.big_endian, expected);
+    enter_record();
+    const std::size_t left = records_[record_].end - scan_.offset();
+    if (left >= kind.bytes) return scan_.bytes<Number>(kind, encoding_.big_endian, expected);
+    // Parts of long records may end within a number.
+    std::array<char, 8> bytes{};
+    for (std::size_t k = 0; k < kind.bytes; ++k) {
+      enter_record();
+      if (scan_.offset() >= records_[record_].end)
+        source_.fail(scan_.offset(), "the end of the records", expected.text());
+      bytes[k] = source_.text()[scan_.offset()];
+      scan_.seek(scan_.offset() + 1);
+    }
+    return number_at<Number>(bytes.data(), kind, encoding_.big_endian);
+  }
+
   const Source& source_;
   Scanner scan_;
   Encoding encoding_;
+  std::vector<Record> records_;
+  std::size_t record_ = 0;  // of records_, being read
 };
 
 class Reader {
@@ -65,8 +101,7 @@ class Reader {
     if (mesh_.data.types.empty()) source_.fail(0, "no element with a volume", "a volume mesh");
     set_space_nodes(source_, xyz, mesh_);
     // Mesh generators append data about layers and about the volumes of elements.
-    if (numbers_.offset() < source_.text().size())
-      mesh_.warnings.emplace_back("data behind the elements are not kept");
+    if (!numbers_.at_end()) mesh_.warnings.emplace_back("data behind the elements are not kept");
     return std::move(mesh_);
   }
   Details& details() { return *details_; }

@@ -1,3 +1,4 @@
+#include "core/error.h"
 #include "io/format/parsed_mesh.h"
 #include "io/text/numbers.h"
 #include "io/ugrid/ugrid.h"
@@ -17,11 +18,9 @@ class ValueWriter {
   ValueWriter(TextWriter& out, const Encoding& encoding) : out_(out), encoding_(encoding) {}
 
   void integer(std::int64_t value) {
-    if (encoding_.binary) {
-      put(static_cast<std::int32_t>(value));
-    } else {
-      text(value);
-    }
+    if (!encoding_.binary) return text(value);
+    if (encoding_.wide) return put(value);
+    put(static_cast<std::int32_t>(value));
   }
   void real(double value) {
     if (!encoding_.binary) return text(value);
@@ -29,6 +28,10 @@ class ValueWriter {
     const auto rounded = static_cast<float>(value);
     exact_ = exact_ && static_cast<double>(rounded) == value;
     put(rounded);
+  }
+  /// Begins or ends a record of that many bytes, in files that have records.
+  void record(std::uint64_t bytes) {
+    if (encoding_.records) put(static_cast<std::int32_t>(bytes));
   }
   /// Ends a line of text.
   void end() {
@@ -95,21 +98,42 @@ void write_elements(ValueWriter& values, const Topology& topology, ElementType t
   }
 }
 
+/// The counts of the first line of a file.
+std::array<std::int64_t, 7> counts_of(const Mesh& mesh, const Sides& sides) {
+  std::array<std::int64_t, 7> counts{
+      mesh.coordinates.size(), static_cast<std::int64_t>(sides.triangles),
+      static_cast<std::int64_t>(sides.faces.size() - sides.triangles)};
+  const Topology& topology = *mesh.topology;
+  for (Index e = 0; e < topology.element_count(); ++e) {
+    const auto k = std::ranges::find(element_order, topology.element_type(e));
+    ++counts[3 + static_cast<std::size_t>(k - element_order.begin())];
+  }
+  return counts;
+}
+
+/// Throws UsageError for more data than the length of a record can tell.
+void check_record(const std::filesystem::path& path, const Mesh& mesh, const Sides& sides,
+                  const Encoding& encoding) {
+  if (!encoding.records) return;
+  const std::uint64_t size = content_size(counts_of(mesh, sides), encoding);
+  if (size <= std::numeric_limits<std::int32_t>::max()) return;
+  throw UsageError(path.string() + ": " + std::to_string(size) +
+                   " bytes do not fit in a record of Fortran; write .b8.ugrid or .lb8.ugrid");
+}
+
 /// Returns false if coordinates had to be rounded.
 bool write(std::ostream& stream, const Mesh& mesh, const Sides& sides, const Encoding& encoding) {
   TextWriter out(stream);
   ValueWriter values(out, encoding);
   const Topology& topology = *mesh.topology;
-  values.integer(mesh.coordinates.size());
-  values.integer(static_cast<std::int64_t>(sides.triangles));
-  values.integer(static_cast<std::int64_t>(sides.faces.size() - sides.triangles));
-  for (const ElementType type : element_order) {
-    std::int64_t count = 0;
-    for (Index e = 0; e < topology.element_count(); ++e)
-      count += topology.element_type(e) == type ? 1 : 0;
-    values.integer(count);
-  }
+  const auto counts = counts_of(mesh, sides);
+  const std::uint64_t header = counts.size() * encoding.integer_bytes();
+  const std::uint64_t rest = content_size(counts, encoding) - header;
+  values.record(header);
+  for (const std::int64_t count : counts) values.integer(count);
+  values.record(header);
   values.end();
+  values.record(rest);
   for (Index i = 0; i < mesh.coordinates.size(); ++i) {
     const Vec3 p = mesh.coordinates.xyz(i);
     for (int k = 0; k < 3; ++k) values.real(p[k]);
@@ -124,6 +148,7 @@ bool write(std::ostream& stream, const Mesh& mesh, const Sides& sides, const Enc
     values.end();
   }
   for (const ElementType type : element_order) write_elements(values, topology, type);
+  values.record(rest);
   return values.exact();
 }
 
@@ -193,6 +218,7 @@ std::vector<OutputFile> files(const std::filesystem::path& path, const Mesh& mes
   add_losses(*mesh.topology, warnings);
   const Encoding encoding = encoding_for(path, details, options);
   const Sides sides = details != nullptr ? sides_of(*details) : sides_of(markers, tags);
+  check_record(path, mesh, sides, encoding);
   std::vector<OutputFile> files{{path, [&mesh, &warnings, sides, encoding](std::ostream& out) {
                                    if (write(out, mesh, sides, encoding)) return;
                                    warnings.emplace_back(

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "io/format/foreign_formats.h"
 #include "io/format/mesh_in_space.h"
 
 namespace winslow::io::vtk {
@@ -131,8 +132,9 @@ class MeshBuilder {
                      (other_solid  ? " (a polyhedron)"
                       : high_order ? " (second or higher order)"
                                    : ""),
-                 "a line (3), triangle (5), quadrilateral (9), tetrahedron (10), hexahedron (12), "
-                 "wedge (13) or pyramid (14)");
+                 std::string("a line (3), triangle (5), quadrilateral (9), tetrahedron (10), "
+                             "hexahedron (12), wedge (13) or pyramid (14)") +
+                     (high_order && !other_solid ? first_order_hint(source_.name()) : ""));
   }
 
   void add_side(std::size_t c, const Face& face) {

@@ -105,7 +105,7 @@ std::vector<std::string> write_legacy(std::ostream& out, const Mesh& mesh,
 /// version 3.0, which every reader understands.
 extern const MeshFormat legacy_format;
 /// VTK XML unstructured grids (.vtu). Reads ASCII, inline base64, and appended raw or base64 data,
-/// compressed by zlib or not. Writes ASCII or appended raw data.
+/// compressed by zlib or LZ4 or not. Writes ASCII or appended raw data.
 extern const MeshFormat vtu_format;
 
 }  // namespace winslow::io::vtk

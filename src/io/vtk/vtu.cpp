@@ -1,5 +1,6 @@
 #include <pugixml.hpp>
 
+#include "io/format/foreign_formats.h"
 #include "io/text/numbers.h"
 #include "io/text/source.h"
 #include "io/vtk/grid.h"
@@ -56,7 +57,9 @@ class VtuReader {
     const auto piece = grid.child("Piece");
     if (!piece) source_.fail(arrays.place(file), "no <Piece>", "one piece");
     if (const auto second = piece.next_sibling("Piece")) {
-      source_.fail(arrays.place(second), "a second <Piece>", "a mesh in one piece");
+      source_.fail(arrays.place(second), "a second <Piece>",
+                   "a mesh in one piece; ParaView joins them: " +
+                       paraview_command(source_.name(), "MergeBlocks(OpenDataFile('IN'))"));
     }
     read_points(arrays, piece);
     read_cells(arrays, piece);
@@ -378,7 +381,7 @@ const MeshFormat vtu_format{
     .name = "vtu",
     .title = "VTK XML",
     .encodings =
-        "text, inline base64, appended raw and base64, zlib (written as text or appended raw)",
+        "text, inline base64, appended raw and base64, zlib, LZ4 (written as text or appended raw)",
     .markers = "yes, see below",
     .keeps_data = true,
     .has_binary = true,

@@ -4,7 +4,9 @@
 
 #include <cstring>
 
+#include "io/format/foreign_formats.h"
 #include "io/text/numbers.h"
+#include "io/vtk/lz4.h"
 
 namespace winslow::io::vtk {
 namespace {
@@ -71,7 +73,7 @@ std::string encode_base64(std::string_view bytes) {
 
 namespace {
 
-/// Largest compression ratio of deflate.
+/// Largest compression ratio of deflate; that of LZ4 is smaller.
 constexpr std::uint64_t best_compression = 1032;
 /// Coordinates and ids differ from one another, so their compression ratio is far lower. Small data
 /// is not checked.
@@ -79,6 +81,14 @@ constexpr std::uint64_t likely_compression = 200, small_enough = 1 << 20;
 
 std::string name_of(const pugi::xml_node& array) {
   return "array " + in_quotes(array.attribute("Name").value());
+}
+
+bool unpack_zlib(std::string_view packed, std::span<char> unpacked) {
+  auto length = static_cast<uLongf>(unpacked.size());
+  const int result = ::uncompress(reinterpret_cast<Bytef*>(unpacked.data()), &length,
+                                  reinterpret_cast<const Bytef*>(packed.data()),
+                                  static_cast<uLong>(packed.size()));
+  return result == Z_OK && length == unpacked.size();
 }
 
 }  // namespace
@@ -101,8 +111,11 @@ VtuArrays::VtuArrays(const Source& source, const pugi::xml_node& file, std::size
   }
   header_bytes_ = header == "UInt64" ? 8 : 4;
   const std::string_view compressor = file.attribute("compressor").value();
-  if (!compressor.empty() && compressor != "vtkZLibDataCompressor") {
-    fail(file, "compressor " + in_quotes(compressor), "vtkZLibDataCompressor or none");
+  lz4_ = compressor == "vtkLZ4DataCompressor";
+  if (!compressor.empty() && !lz4_ && compressor != "vtkZLibDataCompressor") {
+    fail(file, "compressor " + in_quotes(compressor),
+         "vtkZLibDataCompressor, vtkLZ4DataCompressor or none; ParaView writes it so: " +
+             paraview_command(source.name(), "OpenDataFile('IN'), CompressorType='ZLib'"));
   }
   compressed_ = !compressor.empty();
 }
@@ -224,12 +237,11 @@ std::string VtuArrays::inflated(std::string_view stream, const pugi::xml_node& a
     }
     const std::size_t before = data.size();
     data.resize(before + static_cast<std::size_t>(size));
-    auto length = static_cast<uLongf>(size);
-    const int result = ::uncompress(reinterpret_cast<Bytef*>(data.data() + before), &length,
-                                    reinterpret_cast<const Bytef*>(stream.data() + start),
-                                    static_cast<uLong>(packed));
-    if (result != Z_OK || length != size) {
-      fail(array, "compressed data that zlib refuses in " + name_of(array), "zlib data");
+    const std::span<char> block(data.data() + before, static_cast<std::size_t>(size));
+    const auto bytes = stream.substr(start, static_cast<std::size_t>(packed));
+    if (!(lz4_ ? unpack_lz4(bytes, block) : unpack_zlib(bytes, block))) {
+      const std::string name = lz4_ ? "LZ4" : "zlib";
+      fail(array, "compressed data that " + name + " refuses in " + name_of(array), name + " data");
     }
     start += static_cast<std::size_t>(packed);
   }

@@ -68,6 +68,7 @@ class VtuArrays {
   bool appended_base64_;
   bool big_endian_ = false;
   bool compressed_ = false;
+  bool lz4_ = false;  ///< compressed by LZ4, not by zlib
   std::size_t header_bytes_ = 4;
 };
 

@@ -137,7 +137,7 @@ TEST_CASE("CGNS: boundary conditions say in every way of the standard where they
   }
 }
 
-TEST_CASE("CGNS: markers have the name of the family, of the section, or of the condition") {
+TEST_CASE("CGNS: markers have the name of the family, or of the condition") {
   const MeshData data = cgns_square();
   const auto& faces = data.markers[1].faces;
   const TemporaryFolder folder;
@@ -161,7 +161,7 @@ TEST_CASE("CGNS: markers have the name of the family, of the section, or of the 
   CHECK(any_contains(file.warnings, "\"nowhere\" covers no edge"));
   CHECK(marker_named(file, "outer").faces.size() == faces.size() - 1);
   CHECK(marker_named(file, "p3").faces == std::vector<Face>{faces.back()});
-  CHECK(marker_named(file, "wall").faces == data.markers[0].faces);
+  CHECK(marker_named(file, "wall-wall").faces == data.markers[0].faces);
   CHECK(file.mesh.topology->markers().size() == 3);
 }
 

@@ -119,6 +119,17 @@ inline void write_mixed(LibraryFile& file, const MeshData& data) {
   file.poly_section("cells", MIXED, nodes, offsets);
 }
 
+/// A zone "blk" of a volume mesh with the places of its nodes.
+inline void write_places(LibraryFile& file, const MeshData& data) {
+  constexpr std::array names{"CoordinateX", "CoordinateY", "CoordinateZ"};
+  file.start_zone("blk", data.node_count(), data.element_count());
+  for (int k = 0; k < 3; ++k) {
+    std::vector<double> values;
+    for (Index i = 0; i < data.node_count(); ++i) values.push_back(data.coordinates.xyz(i)[k]);
+    file.coordinate(names[at(k)], values);
+  }
+}
+
 inline io::cgns::TreeFile tree_of(const std::filesystem::path& path) {
   io::Source source = io::Source::load(path);
   return io::cgns::read_tree(source);

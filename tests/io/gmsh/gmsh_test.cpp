@@ -1,5 +1,6 @@
 #include <cstdint>
 #include <cstring>
+#include <set>
 
 #include "io/support/samples.h"
 #include "io/support/volume_samples.h"
@@ -213,7 +214,7 @@ TEST_CASE("MSH 4.1: bad input is refused with file and line") {
   CHECK_CONTAINS(error("4.1 0 8", "4.0 0 8"), "a.msh:2: found '4.0', expected MSH version");
   CHECK_CONTAINS(error("4.1 0 8", "4.1 0 4"), "a.msh:2: found '4', expected 8");
   CHECK_CONTAINS(error("$EndNodes", "$EndElements"), "found '$EndElements', expected $EndNodes");
-  CHECK_CONTAINS(error("$Nodes", "$PartitionedEntities"), "found $PartitionedEntities");
+  CHECK_CONTAINS(error("$Nodes", "$PartitionedEntities"), "expected the end of the line");
   CHECK_CONTAINS(error("$Nodes", "$Other"), "section $Other without end");
   CHECK_CONTAINS(input_error("a.msh", square_4.substr(0, square_4.find("$Elements"))),
                  "found no section $Elements");
@@ -348,6 +349,55 @@ TEST_CASE("MSH of volumes: bad input is refused with file and line") {
   CHECK_CONTAINS(error("2 1 3 2\n", "2 1 3 9\n"), "expected a face of an element");
   CHECK_CONTAINS(error("1 1 1\n$EndN", "1 1 inf\n$EndN"), "found inf as a coordinate of node 4");
   CHECK_CONTAINS(error("1 1 1\n$EndN", "0 0 1\n$EndN"), "node");
+}
+
+namespace {
+
+/// The places of the nodes of a marker: Gmsh renumbers nodes when it cuts a mesh into partitions.
+std::set<std::pair<double, double>> places_of(const Mesh& mesh, std::size_t marker) {
+  std::set<std::pair<double, double>> places;
+  for (const Index node : mesh.topology->markers().nodes(static_cast<Index>(marker)))
+    places.emplace(mesh.coordinates.xy(node).x(), mesh.coordinates.xy(node).y());
+  return places;
+}
+
+}  // namespace
+
+TEST_CASE("MSH 4.1 of several partitions: one mesh with its groups, partitions go back") {
+  const io::MeshFile whole = io::read_mesh(test_data("partitioned_whole.msh"));
+  for (const char* name : {"partitioned_41.msh", "partitioned_41b.msh"}) {
+    CAPTURE(name);
+    const io::MeshFile file = io::read_mesh(test_data(name));
+    CHECK(any_contains(file.warnings, "the file has 2 partitions: read as one mesh"));
+    const Topology& topology = *file.mesh.topology;
+    CHECK(file.mesh.topology->node_count() == whole.mesh.topology->node_count());
+    CHECK(topology.element_count() == whole.mesh.topology->element_count());
+    REQUIRE(topology.markers().size() == 2);
+    for (std::size_t m = 0; m < 2; ++m) {
+      CHECK(topology.markers()[m].name == whole.mesh.topology->markers()[m].name);
+      CHECK(places_of(file.mesh, m) == places_of(whole.mesh, m));
+      CHECK(topology.markers()[m].faces.size() == 4);
+    }
+    CHECK(topology.markers().unmarked_faces() == 0);
+    REQUIRE(topology.regions().size() == 1);
+    CHECK(topology.regions()[0].name == "air");
+    const TemporaryFolder folder;
+    io::write_mesh(folder / "b.msh", file.mesh, file.details.get());
+    const io::MeshFile back = io::read_mesh(folder / "b.msh");
+    check_same_mesh(back.mesh, file.mesh);
+    CHECK(back.warnings.size() == file.warnings.size());
+    // Into the other encoding the mesh goes without its partitions.
+    io::WriteOptions other;
+    other.binary = !file.details->binary;
+    other.keep_encoding = false;
+    CHECK(any_contains(io::write_mesh(folder / "c.msh", file.mesh, file.details.get(), other),
+                       "partitions, entities and tags are not written"));
+    CHECK(io::read_mesh(folder / "c.msh").mesh.coordinates == file.mesh.coordinates);
+  }
+  const std::string text = read_text(test_data("partitioned_41.msh"));
+  CHECK_CONTAINS(input_error("a.msh", replaced(text, "6 7 2 0\n", "900000 7 2 0\n")),
+                 "a.msh:25: found 900000 as a number of partitioned entities");
+  CHECK_CONTAINS(input_error("a.msh", replaced(text, "6 7 2 0\n", "7 7 2 0\n")), "a.msh:");
 }
 
 }  // namespace winslow::test

@@ -9,6 +9,7 @@
 #include "io/format/mesh_format.h"
 #include "io/support/samples.h"
 #include "io/support/volume_samples.h"
+#include "io/surface/written_counts.h"
 #include "support/paths.h"
 
 namespace winslow::test {
@@ -193,7 +194,7 @@ TEST_CASE("STL: bad input is refused with line or byte") {
                  "a.stl:30: found 'f', expected facet");
   std::string binary = data("square_b.stl");
   CHECK_CONTAINS(input_error("a.stl", binary.substr(0, binary.size() - 3)),
-                 "a.stl: byte 80: found 8 as the number of facets, expected 7");
+                 "a.stl: byte 80: found 8 as the number of facets, expected at most 7");
   const std::uint32_t huge = 0xffffffff;
   std::memcpy(binary.data() + 80, &huge, sizeof huge);
   CHECK_CONTAINS(input_error("a.stl", binary), "a.stl: byte 80: found 4294967295");
@@ -267,6 +268,135 @@ TEST_CASE("boundary faces in no marker are a group of their own") {
   const std::string obj = read_text(folder / "a.obj");
   CHECK(obj.find("g boundary\n") > obj.find("g walls\n"));
   CHECK(count_of(obj, "f ") == 12);
+}
+
+namespace {
+
+std::string facet(const char* a, const char* b, const char* c) {
+  std::string text = "facet normal 0 0 1\nouter loop\n";
+  for (const char* p : {a, b, c}) text += std::string("vertex ") + p + '\n';
+  return text + "endloop\nendfacet\n";
+}
+
+std::vector<std::string> region_names(const io::MeshFile& file) {
+  std::vector<std::string> names;
+  for (const Region& region : file.mesh.topology->regions()) names.push_back(region.name);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("STL of several solids: all are read, their names are regions and go back") {
+  const std::string text = "solid left wing\n" + facet("0 0 0", "1 0 0", "0 1 0") +
+                           "endsolid left wing\nsolid right\n" + facet("1 0 0", "1 1 0", "0 1 0") +
+                           "endsolid right\nsolid left wing\n" +
+                           facet("0 1 0", "1 1 0", "0.5 2 1") + "endsolid\n";
+  const io::MeshFile file = read_from_text("a.stl", text);
+  CHECK(file.mesh.topology->element_count() == 3);
+  CHECK(file.mesh.topology->node_count() == 5);
+  CHECK(region_names(file) == std::vector<std::string>{"left wing", "right"});
+  CHECK(std::ranges::equal(file.mesh.topology->element_regions(), std::array<Index, 3>{0, 1, 0}));
+  const TemporaryFolder folder;
+  // One solid for each name: the order of the facets changes, and that is said.
+  CHECK(any_contains(io::write_mesh(folder / "b.stl", file.mesh, file.details.get()),
+                     "their order has changed"));
+  const io::MeshFile back = io::read_mesh(folder / "b.stl");
+  CHECK(region_names(back) == region_names(file));
+  CHECK(back.mesh.topology->element_count() == 3);
+  io::WriteOptions binary;
+  binary.binary = true;
+  CHECK(any_contains(io::write_mesh(folder / "c.stl", file.mesh, nullptr, binary),
+                     "the names of element sets are lost"));
+  // One solid alone is the whole mesh, no region.
+  CHECK(read_from_text("a.stl", "solid one\n" + facet("0 0 0", "1 0 0", "0 1 0") + "endsolid\n")
+            .mesh.topology->regions()
+            .empty());
+  CHECK_CONTAINS(input_error("a.stl", text + "solids\n"),
+                 "a.stl:28: found 'solids', expected solid");
+}
+
+TEST_CASE("STL: what winslow writes of a volume mesh is read, markers as regions") {
+  const Mesh mesh = make_mesh(cube(2, Volumes::hexahedra));
+  const TemporaryFolder folder;
+  io::write_mesh(folder / "a.stl", mesh, nullptr);
+  const io::MeshFile file = io::read_mesh(folder / "a.stl");
+  std::vector<std::string> markers;
+  for (const Marker& marker : mesh.topology->markers()) markers.push_back(marker.name);
+  CHECK(markers.size() > 1);
+  CHECK(region_names(file) == markers);
+  CHECK(file.mesh.topology->element_count() == 48);
+  CHECK(file.mesh.topology->boundary_loops().empty());
+}
+
+TEST_CASE("STL: text in capitals") {
+  std::string text = "solid A\n" + facet("0 0 0", "1 0 0", "0 1 0") + "endsolid A\n";
+  for (char& c : text) c = static_cast<char>(std::toupper(c));
+  CHECK(read_from_text("a.stl", text).mesh.topology->element_count() == 1);
+  CHECK(read_from_text("a.xyz", text).format->name == "stl");
+}
+
+TEST_CASE("STL: facets with two corners in one place are left out, with the place of the first") {
+  const std::string text = "solid\n" + facet("0 0 0", "1 0 0", "0 1 0") +
+                           facet("1 0 0", "1 0 0", "0 1 0") + facet("1 0 0", "1 1 0", "0 1 0") +
+                           facet("5 5 5", "5 5 5", "5 5 5") + "endsolid\n";
+  const io::MeshFile file = read_from_text("a.stl", text);
+  CHECK(file.mesh.topology->element_count() == 2);
+  CHECK(file.mesh.topology->node_count() == 4);
+  REQUIRE(file.warnings.size() >= 1);
+  CHECK_CONTAINS(file.warnings[0],
+                 "2 facets have two corners in one place, the first at line 9: left out");
+}
+
+TEST_CASE("binary STL: colours and bytes behind the facets are said to be lost") {
+  const std::string plain = data("square_b.stl");
+  CHECK(read_from_text("a.stl", plain).warnings.size() ==
+        io::read_mesh(test_data("square_b.stl")).warnings.size());
+  std::string coloured = plain;
+  coloured[84 + 48] = 31;
+  CHECK(
+      any_contains(read_from_text("a.stl", coloured).warnings, "colours of the file are not kept"));
+  std::string header = plain;
+  header.replace(0, 10, "COLOR=abcd");
+  CHECK(any_contains(read_from_text("a.stl", header).warnings, "colours of the file are not kept"));
+  // Two bytes behind the facets, also under a header that begins as text does.
+  for (const char* start : {"", "solid cube"}) {
+    std::string longer = plain + "\r\n";
+    longer.replace(0, std::string(start).size(), start);
+    const io::MeshFile file = read_from_text("a.stl", longer);
+    CHECK(file.mesh.topology->element_count() == 8);
+    CHECK(any_contains(file.warnings, "2 bytes behind the 8 facets are not kept"));
+  }
+}
+
+TEST_CASE("OBJ: statements that go on behind a backslash") {
+  const std::string text =
+      "# folder C:\\meshes\\\nv 0 \\\n 0 0\nv 1 0 0\nv 1 1 \\\r\n0\nv 0 1 0\n"
+      "f 1 2 \\\n\\\n 3\\\n 4\ng one \\\n two\n";
+  const io::MeshFile file = read_from_text("a.obj", text);
+  CHECK(file.mesh.topology->node_count() == 4);
+  CHECK(file.mesh.topology->element_type(0) == ElementType::quadrilateral);
+  CHECK(file.mesh.coordinates.xy(2) == Vec2(1, 1));
+  CHECK_CONTAINS(input_error("a.obj", "v 0 0 \\\n x\n"), "a.obj:2: found 'x'");
+  CHECK_CONTAINS(input_error("a.obj", "v 0 0 \\"), "a.obj:1: found the end");
+}
+
+TEST_CASE("counts are those of the file that is written") {
+  const Mesh volume = make_mesh(cube(2, Volumes::hexahedra));
+  const auto counts = [](const char* name, const Mesh& mesh) {
+    const io::MeshCounts found = io::written_counts(name, mesh, nullptr);
+    return std::array{static_cast<std::size_t>(found.nodes),
+                      static_cast<std::size_t>(found.elements), found.markers};
+  };
+  const std::size_t markers = volume.topology->markers().size();
+  CHECK(counts("a.su2", volume) == std::array<std::size_t, 3>{27, 8, markers});
+  CHECK(counts("a.obj.gz", volume) == std::array<std::size_t, 3>{26, 24, 0});
+  CHECK(counts("a.stl", volume) == std::array<std::size_t, 3>{26, 48, 0});
+  MeshData data = square(2, Cells::quads);
+  data.markers.clear();
+  const Mesh plane = make_mesh(data);
+  CHECK(counts("a.ply", plane) == std::array<std::size_t, 3>{9, 4, 0});
+  CHECK_FALSE(plane.topology->markers().empty());  // made of the boundary, and not written
+  CHECK(counts("a.su2", plane)[2] == 0);
 }
 
 }  // namespace winslow::test

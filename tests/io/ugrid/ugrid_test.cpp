@@ -1,4 +1,6 @@
+#include "core/quality/quality.h"
 #include "io/support/volume_samples.h"
+#include "support/paths.h"
 
 namespace winslow::test {
 namespace {
@@ -111,6 +113,65 @@ TEST_CASE(
   CHECK(sizes[0] == sizes[1]);
   CHECK(sizes[0] - sizes[2] == 9 * 12);
   CHECK(sizes[2] == sizes[3]);
+}
+
+TEST_CASE("UGRID: records of Fortran and integers of 64 bits") {
+  const io::MeshFile file = read_from_text("a.ugrid", grid);
+  const TemporaryFolder folder;
+  // A mesh has 9 nodes, 9 + 9 + 5 + 1 + 1 other entries, 7 counts and 4 records' lengths.
+  const std::size_t reals = 9 * 3, integers = 7 + 4 * 4 + 5 * 5 + 5 + 8;
+  for (const std::string order : {"", "l"}) {
+    for (const std::string kind : {"b", "r"}) {
+      for (const std::string real : {"8", "4"}) {
+        for (const std::string wide : {"", "l"}) {
+          const std::string name = "b." + order + kind + real + wide + ".ugrid";
+          CAPTURE(name);
+          CHECK(io::write_mesh(folder / name, file.mesh, file.details.get()).empty());
+          const std::string bytes = read_text(folder / name);
+          CHECK(bytes.size() == reals * (real == "8" ? 8 : 4) + integers * (wide == "l" ? 8 : 4) +
+                                    (kind == "r" ? 16 : 0));
+          const io::MeshFile back = io::read_mesh(folder / name);
+          CHECK(back.warnings.empty());
+          check_same_mesh(back.mesh, file.mesh);
+          write_text(folder / "misnamed.ugrid", bytes);
+          check_same_mesh(io::read_mesh(folder / "misnamed.ugrid").mesh, file.mesh);
+          // The same bytes again, in the encoding of the source.
+          io::write_mesh(folder / ("c." + order + kind + real + wide + ".ugrid"), back.mesh,
+                         back.details.get());
+          CHECK(read_text(folder / ("c." + order + kind + real + wide + ".ugrid")) == bytes);
+          CHECK_CONTAINS(input_error(name.c_str(), bytes.substr(0, bytes.size() - 40)), name);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("UGRID: two hexahedra as AFLR3 writes them with Fortran and with integers of 64 bits") {
+  const auto file = [](const char* name) { return io::read_mesh(test_data(name)); };
+  const io::MeshFile big = file("two_hexahedra.r8.ugrid");
+  CHECK(big.mesh.topology->element_count() == 2);
+  CHECK(big.mesh.topology->node_count() == 12);
+  CHECK(big.mesh.topology->markers().unmarked_faces() == 0);
+  CHECK(measure_quality(big.mesh).inverted == 0);
+  check_same_mesh(file("two_hexahedra.lr8.ugrid").mesh, big.mesh);
+  check_same_mesh(file("two_hexahedra.lb8l.ugrid").mesh, big.mesh);
+}
+
+TEST_CASE("UGRID: parts of a record of Fortran may end within a number") {
+  const io::MeshFile file = read_from_text("a.ugrid", grid);
+  const TemporaryFolder folder;
+  io::write_mesh(folder / "b.lr8.ugrid", file.mesh, nullptr);
+  const std::string bytes = read_text(folder / "b.lr8.ugrid");
+  const auto length = [](int n) {
+    std::string text;
+    for (int k = 0; k < 4; ++k) text += static_cast<char>(n >> (8 * k) & 0xff);
+    return text;
+  };
+  const std::string rest = bytes.substr(40, bytes.size() - 44);
+  const int first = 13, last = static_cast<int>(rest.size()) - first;
+  const std::string split = bytes.substr(0, 36) + length(-first) + rest.substr(0, 13) +
+                            length(first) + length(last) + rest.substr(13) + length(-last);
+  check_same_mesh(read_from_text("b.lr8.ugrid", split).mesh, file.mesh);
 }
 
 TEST_CASE("UGRID: single precision rounds, with a warning") {

@@ -3,6 +3,7 @@
 
 #include "io/support/samples.h"
 #include "io/support/volume_samples.h"
+#include "io/vtk/lz4.h"
 #include "io/vtk/vtu_arrays.h"
 #include "support/paths.h"
 
@@ -163,6 +164,8 @@ TEST_CASE("VTU: bad input is refused with file and line") {
   CHECK_CONTAINS(error("0 0 0 0 0 0 1", "0 0 0 0 0 1"),
                  "found 9 values in array 'marker', expected 10 times 1");
   CHECK_CONTAINS(error("type=\"UnstructuredGrid\"", "type=\"PolyData\""),
+                 "a.vtu:1: found a VTK file that is no unstructured grid");
+  CHECK_CONTAINS(error("type=\"UnstructuredGrid\"", "type=\"Table\""),
                  "a.vtu:2: found VTKFile type");
   CHECK_CONTAINS(error("LittleEndian", "MiddleEndian"), "byte_order 'MiddleEndian'");
   CHECK_CONTAINS(error("Float64", "Float65"), "type 'Float65'");
@@ -253,6 +256,110 @@ TEST_CASE("VTU: inline base64, appended base64, both byte orders, zlib blocks") 
                             "QUFBQUFBQUE=\n</AppendedData>\n</VTKFile>");
     check_same_mesh(read_from_text("a.vtu", appended).mesh, mesh);
   }
+}
+
+namespace {
+
+/// Packs bytes as LZ4 does, without looking for repetitions: literals alone.
+std::string lz4_of_literals(const std::string& bytes) {
+  std::string packed;
+  std::size_t rest = bytes.size();
+  packed += static_cast<char>(std::min<std::size_t>(rest, 15) << 4);
+  if (rest >= 15) {
+    for (rest -= 15; rest >= 255; rest -= 255) packed += '\xff';
+    packed += static_cast<char>(rest);
+  }
+  return packed + bytes;
+}
+
+}  // namespace
+
+TEST_CASE("LZ4: literals, copies that overlap, damage") {
+  const auto unpacked = [](std::string_view packed,
+                           std::size_t size) -> std::optional<std::string> {
+    std::string bytes(size, '?');
+    if (!io::vtk::unpack_lz4(packed, bytes)) return std::nullopt;
+    return bytes;
+  };
+  CHECK(unpacked(lz4_of_literals("hello"), 5) == "hello");
+  const std::string longer(700, 'x');
+  CHECK(unpacked(lz4_of_literals(longer), 700) == longer);
+  // "ab", then 4 + 4 bytes from 2 before, then the literal "c".
+  const std::string repeats(
+      "\x24"
+      "ab"
+      "\x02\x00"
+      "\x10"
+      "c",
+      7);
+  CHECK(unpacked(repeats, 11) ==
+        "ababababab"
+        "c");
+  // 15 + 255 + 1 + 4 copies of one byte.
+  const std::string run(
+      "\x1f"
+      "z"
+      "\x01\x00"
+      "\xff\x01"
+      "\x10"
+      "!",
+      8);
+  CHECK(unpacked(run, 277) == std::string(276, 'z') + "!");
+  CHECK_FALSE(unpacked(repeats, 10));
+  CHECK_FALSE(unpacked(repeats, 12));
+  for (std::size_t size = 1; size < repeats.size() - 1; ++size)
+    CHECK_FALSE(unpacked(repeats.substr(0, size), 11));
+  CHECK_FALSE(unpacked(std::string("\x14"
+                                   "a"
+                                   "\x02\x00"
+                                   "\x10"
+                                   "c",
+                                   6),
+                       10));  // before the start
+  CHECK_FALSE(unpacked(std::string("\x14"
+                                   "a"
+                                   "\x00\x00"
+                                   "\x10"
+                                   "c",
+                                   6),
+                       10));
+}
+
+TEST_CASE("VTU: arrays compressed by LZ4 are read; LZMA is refused with ParaView's way out") {
+  const auto bytes = [](const auto& value) {
+    return std::string(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  std::string coordinates;
+  const auto& mesh = expected().mesh;
+  for (Index i = 0; i < mesh.coordinates.size(); ++i)
+    coordinates +=
+        bytes(mesh.coordinates.xy(i).x()) + bytes(mesh.coordinates.xy(i).y()) + bytes(0.0);
+  // Two blocks: all but 24 bytes, and these.
+  const std::string first = coordinates.substr(0, coordinates.size() - 24);
+  const std::string last = coordinates.substr(coordinates.size() - 24);
+  const std::string packed_first = lz4_of_literals(first), packed_last = lz4_of_literals(last);
+  const auto number = [&](std::size_t value) { return bytes(static_cast<std::uint64_t>(value)); };
+  const std::string header = number(2) + number(first.size()) + number(last.size()) +
+                             number(packed_first.size()) + number(packed_last.size());
+  const std::size_t begin = xml.find("0 0 0\n0.5");
+  const std::size_t end = xml.find("</DataArray>", begin);
+  const std::string data =
+      io::vtk::encode_base64(header) + io::vtk::encode_base64(packed_first + packed_last);
+  std::string text = xml.substr(0, begin) + data + xml.substr(end);
+  const std::string open = "NumberOfComponents=\"3\" format=";
+  text = replaced(text, open + "\"ascii\"", open + "\"binary\"");
+  const auto with = [&](const std::string& compressor) {
+    return replaced(text, "<VTKFile ", "<VTKFile compressor=\"" + compressor + "\" ");
+  };
+  check_same_mesh(read_from_text("a.vtu", with("vtkLZ4DataCompressor")).mesh, mesh);
+  CHECK_CONTAINS(input_error("a.vtu", with("vtkZLibDataCompressor")), "that zlib refuses");
+  const std::string refusal = input_error("a.vtu", with("vtkLZMADataCompressor"));
+  CHECK_CONTAINS(refusal,
+                 "found compressor 'vtkLZMADataCompressor', expected vtkZLibDataCompressor, "
+                 "vtkLZ4DataCompressor or none; ParaView writes it so: pvpython -c \"from "
+                 "paraview.simple import *; SaveData('");
+  CHECK_CONTAINS(refusal, "a_saved.vtu', OpenDataFile('");
+  CHECK_CONTAINS(refusal, "a.vtu'), CompressorType='ZLib')\"");
 }
 
 namespace {

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/mesh/mesh_data.h"
+
+/// For formats that say of a cell only which faces it has (OpenFOAM's polyMesh, NFACE_n of CGNS):
+///
+///     const auto cell = cell_of_faces(faces);
+///     if (cell) mesh.add_element(cell->type, cell->corners);
+namespace winslow::io {
+
+/// An element that was put together from its faces.
+struct CellOfFaces {
+  ElementType type;
+  std::vector<Index> corners;  ///< in the order of ElementShape
+};
+
+/// The element with these faces, which are counter-clockwise seen from outside (only that of the
+/// base counts). Returns nothing if it is no tetrahedron, pyramid, prism or hexahedron. Corner 0 is
+/// the first node of the first triangle (pyramid: of the quadrilateral; hexahedron: of the first
+/// face).
+std::optional<CellOfFaces> cell_of_faces(std::span<const Face> faces);
+
+}  // namespace winslow::io
