@@ -95,6 +95,15 @@ class Held(ProgramTest):
                              code=HELD)
         self.assertIn("no node but those of lid moved", quiet.stderr)
 
+    def test_a_step_of_a_sweep_that_no_other_node_follows_is_named(self):
+        run = self.winslow("sweep", self.strip(), "-o", "{step}.su2", "--marker", "lid", "--translate", "0", "0,0.1",
+                           "--results", "r.csv", code=HELD)
+        self.assertIn("step 2 is held: no node but those of lid moved: the other 5 are held by floor (5)", run.stderr)
+        self.assertIn("1 of 2 steps are done", run.stderr)
+        rows = [line.split(",")[1] for line in self.path("r.csv").read_text().strip().split("\n")]
+        self.assertEqual(rows, ["status", "done", "held"])
+        self.assertTrue(self.path("2.su2").exists())
+
     def test_where_nodes_follow_or_nothing_is_asked_the_status_is_0(self):
         self.winslow("move", self.strip("two.su2", 2), "-o", "out.su2", "--marker", "lid", "--translate", 0, 0.1)
         self.winslow("move", self.strip(), "-o", "out.su2", "--marker", "lid", "--translate", 0, 0)

@@ -5,9 +5,11 @@
 #include <iostream>
 
 #include "app/job/edit_job.h"
+#include "app/job/held_motion.h"
 #include "app/output/quality_csv.h"
 #include "core/error.h"
 #include "core/quality/mesh_change.h"
+#include "core/quality/movable_statistics.h"
 #include "io/file/atomic_file.h"
 #include "io/format/mesh_format.h"
 #include "io/text/numbers.h"
@@ -106,11 +108,21 @@ struct Row {
   double fraction = 0, seconds = 0;
 };
 
+/// The smallest sine or scaled Jacobian of what a run can change; NaN if that is nothing.
+double smallest_movable(const Mesh& mesh, const QualityReport& quality) {
+  return quality.all_on_boundary > 0 ? movable_statistics(mesh).front().min
+                                     : quality.of(Metric::normalized_jacobian).statistics.min;
+}
+
+/// The status of a step whose bodies moved and no other node.
+constexpr const char* held_status = "held";
+
 /// What a run needs besides the job.
 struct Inputs {
   ZoneRun zone;
   MeshState state;
   QualityReport reference;  ///< quality of the reference mesh
+  double smallest = 0;      ///< smallest_movable() of the reference mesh
 };
 
 /// Carries out a sweep: writes each mesh as it is solved, and keeps a row for the table.
@@ -173,16 +185,26 @@ class SweepRun final : public SeriesMonitor {
     row.iterations = run.smooth.outer_iterations;
     row.fraction = run.smooth.fraction_reached;
     row.quality = measure_quality(run.state.mesh, quality_options());
-    const auto smallest = [](const QualityReport& quality) {
-      return quality.of(Metric::normalized_jacobian).statistics.min;
-    };
-    row.harmed = smallest(*row.quality) < least_sine_kept * smallest(inputs_.reference);
+    row.harmed =
+        smallest_movable(run.state.mesh, *row.quality) < least_sine_kept * inputs_.smallest;
+    if (row.status == status_name(SeriesStatus::done)) find_what_holds(run.state.mesh, row);
     if (const auto change =
             compare_first_heights(inputs_.reference.walls.walls, row.quality->walls.walls);
         change && change->ratio.count > 0) {
       row.heights = change->ratio;
       row.harmed |= spoils_walls(*change);
     }
+  }
+
+  void find_what_holds(const Mesh& after, Row& row) const {
+    if (!job_.how.smooth_after) return;
+    std::vector<std::string> moving;
+    for (const MovingBody& body : row.bodies)
+      moving.insert(moving.end(), body.markers.begin(), body.markers.end());
+    const auto held = find_held_motion(inputs_.state.mesh, after, moving);
+    if (!held) return;
+    row.status = held_status;
+    row.message = describe(*held, moving);
   }
 
   bool may_write(SeriesStatus status) const {
@@ -400,7 +422,9 @@ Inputs load(const SweepJob& job) {
   QualityOptions options;
   options.threads = job.smooth.threads;
   options.worst = 0;
-  inputs.reference = measure_quality({mesh.topology, *reference_of(inputs.state)}, options);
+  const Mesh reference{mesh.topology, *reference_of(inputs.state)};
+  inputs.reference = measure_quality(reference, options);
+  inputs.smallest = smallest_movable(reference, inputs.reference);
   return inputs;
 }
 
@@ -449,7 +473,9 @@ ExitCode judge(const SweepJob& job, const std::vector<Row>& rows) {
                            row.message +
                            (row.output.empty() ? "; not written" : "; written to " + row.output))
               << '\n';
-    if (row.status != status_name(SeriesStatus::not_converged))
+    if (row.status == held_status)
+      code = code == ExitCode::inverted ? code : ExitCode::held;
+    else if (row.status != status_name(SeriesStatus::not_converged))
       code = ExitCode::inverted;
     else if (code == ExitCode::done)
       code = ExitCode::not_converged;
