@@ -11,9 +11,11 @@ namespace {
 
 const std::vector<std::string>& seeds() {
   static const std::vector<std::string> names{
-      "square.su2", "square_22.msh", "square_22b.msh", "square_41.msh", "square_41b.msh",
-      "square.vtk", "square_b.vtk",  "square.vtu",     "square_b.vtu",  "square.obj",
-      "square.off", "square.ply",    "square_b.ply",   "square.stl",    "square_b.stl"};
+      "square.su2",         "square_22.msh", "square_22b.msh", "square_41.msh",
+      "square_41b.msh",     "square.vtk",    "square_b.vtk",   "square.vtu",
+      "square_b.vtu",       "square.obj",    "square.off",     "square.ply",
+      "square_b.ply",       "square.stl",    "square_b.stl",   "partitioned_41.msh",
+      "partitioned_41b.msh"};
   return names;
 }
 
@@ -103,6 +105,9 @@ std::vector<VolumeSeed> volume_seeds() {
                                             {"ugrid", "", false},
                                             {"lb8.ugrid", "", false},
                                             {"b4.ugrid", "", false},
+                                            {"r8.ugrid", "", false},
+                                            {"lr4l.ugrid", "", false},
+                                            {"lb8l.ugrid", "", false},
 #ifdef WINSLOW_HAS_CGNS
                                             {"cgns", "", false},
 #endif

@@ -336,6 +336,63 @@ TEST_CASE("CGNS: what a zone of several is refused for comes with the way to the
                        InputError);
 }
 
+namespace {
+
+/// A copy of a tree in which some bytes of data are others.
+io::cgns::NodePtr damaged(const io::cgns::Node& node, Random& random, Index odds) {
+  auto copy = std::make_shared<io::cgns::Node>(node);
+  if (!copy->data.empty() && copy->type != "C1" && random.index(odds) == 0) {
+    const auto place = at(random.index(static_cast<Index>(copy->data.size())));
+    copy->data[place] =
+        static_cast<char>(random.index(3) == 0 ? random.index(256) : copy->data[place] ^ 1);
+  }
+  for (io::cgns::NodePtr& child : copy->children) child = damaged(*child, random, odds);
+  return copy;
+}
+
+}  // namespace
+
+TEST_CASE("CGNS: damaged numbers of structured zones and polyhedra give a mesh or an InputError") {
+  const TemporaryFolder folder;
+  {
+    LibraryFile file(folder / "0.cgns", CG_FILE_ADF, 3, 3);
+    const Block block{3, 3, 2, straight};
+    block.write(file, "blk");
+    block.write_sides(file);
+    const CgnsNumbers range{1, 1, 1, 1, 3, 2}, donor{3, 1, 1, 3, 3, 2};
+    const std::array<int, 3> transform{1, 2, 3};
+    int number = 0;
+    require_cgns(cg_1to1_write(file.file, file.base, file.zone, "cut", "blk", range.data(),
+                               donor.data(), transform.data(), &number));
+  }
+  {
+    LibraryFile file(folder / "1.cgns", CG_FILE_ADF, 3, 3);
+    const MeshData data = cube(1, Volumes::pyramids);
+    write_places(file, data);
+    write_polyhedra(file, data, false);
+  }
+  for (const char* name : {"0.cgns", "1.cgns"}) {
+    const io::cgns::NodePtr root = tree_of(folder / name).root;
+    int meshes = 0, refused = 0;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+      CAPTURE(name);
+      CAPTURE(seed);
+      Random random(seed);
+      const io::cgns::NodePtr tree = damaged(*root, random, 8);
+      write_text(folder / "d.cgns", io::cgns::write_tree(*tree, io::cgns::Container::adf));
+      try {
+        io::read_mesh(folder / "d.cgns");
+        ++meshes;
+      } catch (const InputError&) {
+        ++refused;
+      }
+    }
+    MESSAGE(meshes, " meshes, ", refused, " refused");
+    CHECK(meshes > 5);
+    CHECK(refused > 20);
+  }
+}
+
 }  // namespace winslow::test
 
 #endif
