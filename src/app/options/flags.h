@@ -57,6 +57,7 @@ inline constexpr std::string_view standard_output = "-";
 struct JobFiles {
   std::string input;
   int zone = 0;                ///< zone of the input; 0: all zones
+  std::string time;            ///< time of the input (OpenFOAM); empty: as the path says
   std::string reference_mesh;  ///< whose shapes motions keep; empty: the input
   std::string output;
   std::string report;       ///< JSON; "-": to the standard output; empty: none
@@ -74,8 +75,10 @@ void add_input(CLI::App& app, std::string& input);
 void add_inputs(CLI::App& app, std::vector<std::string>& inputs);
 /// Declares --zone; `without`: text for the help on what happens without it.
 void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
-/// Declares --zone, -o, --report, --history, --memory, --allow-inverted, --accept-partial, --quiet
-/// and those of add_encoding_flags.
+/// Declares --time.
+void add_time_flag(CLI::App& app, std::string& time);
+/// Declares --zone, --time, -o, --report, --history, --memory, --allow-inverted, --accept-partial,
+/// --quiet and those of add_encoding_flags.
 void add_job_flags(CLI::App& app, JobFiles& files);
 /// Declares --reference-mesh.
 void add_reference_mesh_flag(CLI::App& app, JobFiles& files);
@@ -86,8 +89,9 @@ void add_encoding_flags(CLI::App& app, io::WriteOptions& encoding);
 void add_quiet_flag(CLI::App& app, bool& quiet);
 
 /// Checks an output path before a long solve. Throws UsageError if the extension of a mesh is
-/// unknown, OutputError if the folder does not exist or is not writable. Accepts an empty path.
-void check_mesh_output(const std::string& path);
+/// unknown, OutputError if the folder does not exist or is not writable. input: the mesh that is
+/// read; empty: unknown. Accepts an empty path.
+void check_mesh_output(const std::string& path, const std::string& input = {});
 /// Checks the path of any other output file in the same way. Accepts standard_output.
 void check_output(const std::string& path);
 /// Throws UsageError for standard_output: `flag` takes the name of a file.

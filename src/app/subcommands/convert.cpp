@@ -18,6 +18,7 @@ class ConvertSubcommand : public Subcommand {
             "convert", "Write a mesh in another format, its nodes where they are")) {
     add_input(app(), input_);
     add_zone_flag(app(), zone_, "all zones, where OUT can hold them");
+    add_time_flag(app(), time_);
     app().add_option("OUT", output_, "Mesh to write; its extension says the format")->type_name("");
     FlagGroup(app(), "Output")
         .value("-o,--output", output_flag_, "OUT", "The same as OUT, as other commands take it");
@@ -27,9 +28,9 @@ class ConvertSubcommand : public Subcommand {
 
   ExitCode run() override {
     choose_output();
-    check_mesh_output(output_);
+    check_mesh_output(output_, input_);
     const InterruptGuard interrupts;
-    const std::vector<io::MeshFile> files = read_zones(input_, zone_);
+    const std::vector<io::MeshFile> files = read_zones(input_, zone_, time_);
     InterruptGuard::check();
     const SignalsHeld held;
     encoding_.zone_alone = zone_ != 0;
@@ -75,7 +76,7 @@ class ConvertSubcommand : public Subcommand {
     std::cout << '\n';
   }
 
-  std::string input_, output_, output_flag_;
+  std::string input_, output_, output_flag_, time_;
   int zone_ = 0;
   io::WriteOptions encoding_;
   bool quiet_ = false;

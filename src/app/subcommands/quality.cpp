@@ -117,6 +117,7 @@ class QualitySubcommand : public Subcommand {
             "inverted")) {
     add_inputs(app(), inputs_);
     add_zone_flag(app(), zone_, "every zone is reported");
+    add_time_flag(app(), time_);
     FlagGroup group(app());
     worst_flag_ = group
                       .value_as("--worst", options_.worst, "N [10]",
@@ -188,7 +189,7 @@ class QualitySubcommand : public Subcommand {
   MeasuredFile measure(const std::string& input, Timings& seconds) const {
     Stopwatch lap;
     MeasuredFile file{input, {}, {}};
-    std::vector<io::MeshFile> meshes = read_zones(input, zone_);
+    std::vector<io::MeshFile> meshes = read_zones(input, zone_, time_);
     file.warnings = warnings_of(meshes);
     file.zones = share_out(std::move(meshes), {}, input);
     seconds.load += lap.lap();
@@ -287,7 +288,7 @@ class QualitySubcommand : public Subcommand {
   }
 
   std::vector<std::string> inputs_;
-  std::string report_, csv_;
+  std::string report_, csv_, time_;
   int zone_ = 0;
   QualityOptions options_;
   CLI::Option* worst_flag_ = nullptr;

@@ -87,6 +87,7 @@ class RenderSubcommand : public Subcommand {
                                           "display, inverted elements are red")) {
     add_input(app(), flags_.input);
     add_zone_flag(app(), flags_.zone, "the first");
+    add_time_flag(app(), flags_.time);
     FlagGroup group(app());
     group.value("-o,--output", flags_.output, "PIC", "Picture to write: .png, .svg or .pdf");
     group.value("--size", flags_.size, "W H", "Width and height in pixels [1200 900]");
@@ -108,7 +109,8 @@ class RenderSubcommand : public Subcommand {
 
   ExitCode run() override {
     check_flags();
-    const io::MeshFile file = io::read_mesh(flags_.input, {.zone = flags_.zone});
+    const io::MeshFile file =
+        io::read_mesh(flags_.input, {.zone = flags_.zone, .time = flags_.time});
     check_volume_flags(app(), flags_, *file.mesh.topology);
     const bool volume = file.mesh.topology->space_dimension() == 3;
     if (!flags_.quiet) {

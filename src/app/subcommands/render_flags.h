@@ -27,7 +27,7 @@ struct VolumeFlags {
 
 /// Flags of the subcommand render, in types that need no OpenGL.
 struct RenderFlags {
-  std::string input, output;
+  std::string input, output, time;
   int zone = 0;
   std::string color, map = "automatic", axis = "automatic", title;
   std::optional<std::array<double, 4>> bounds;

@@ -65,6 +65,7 @@ class SweepSubcommand : public Subcommand {
     job_.smooth = independent_of_start(job_.smooth);  // as run_series() does; for the help
     add_smooth_flags(app(), job_.smooth);
     add_zone_flag(app(), job_.files.zone, "the one that has the markers that move");
+    add_time_flag(app(), job_.files.time);
     add_output_flags();
   }
 

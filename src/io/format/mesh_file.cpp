@@ -98,23 +98,15 @@ void check_dimension(const std::filesystem::path& path, const Topology& topology
                    std::string(mesh_kind(topology)));
 }
 
-/// The format of a path that is a mesh folder or stands for one; null for an ordinary file.
-const MeshFormat* folder_format(const std::filesystem::path& path, std::filesystem::path& folder) {
-  for (const MeshFormat* format : mesh_formats()) {
-    if (!format->find_folder) continue;
-    folder = format->find_folder(path);
-    if (!folder.empty()) return format;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
-  std::filesystem::path folder;
   MeshFile file;
-  file.format = folder_format(path, folder);
-  Source source = file.format ? Source(folder.string(), {}) : Source::load(path);
+  file.format = format_of_folder(path);
+  if (!file.format && !options.time.empty())
+    throw UsageError(path.string() + ": has no times (--time), which are for cases of OpenFOAM");
+  Source source = file.format ? Source(file.format->find_folder(path, options.time).string(), {})
+                              : Source::load(path);
   if (!file.format) file.format = detect(source, path, file.warnings);
   if (!file.format->missing.empty()) {
     throw InputError(source.name() + ": " + std::string(file.format->missing));
@@ -123,8 +115,10 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
     throw UsageError(source.name() + ": no zone " + std::to_string(options.zone) +
                      ": a file of this format is one mesh");
   }
-  ParsedMesh parsed = file.format->read_zone ? file.format->read_zone(source, options.zone)
-                                             : file.format->read(source);
+  ParsedMesh parsed = file.format->read_folder
+                          ? file.format->read_folder(source, path, options.time)
+                      : file.format->read_zone ? file.format->read_zone(source, options.zone)
+                                               : file.format->read(source);
   parsed.details->nodes = parsed.data.node_count();
   parsed.details->elements = parsed.data.element_count();
   turn_to_viewer(parsed);
@@ -155,7 +149,7 @@ std::vector<std::string> zones_left(const FormatDetails* details,
 }
 
 bool keeps_zones(const std::filesystem::path& path, const FormatDetails& details) {
-  const MeshFormat* format = format_of_extension(path);
+  const MeshFormat* format = format_of_output(path, details.format);
   return format != nullptr && format->write_zones && format == details.format;
 }
 
@@ -186,10 +180,11 @@ bool copy_mesh(const std::filesystem::path& from, const std::filesystem::path& t
 std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
                                           std::span<const MeshZone> zones,
                                           const WriteOptions& options) {
-  const MeshFormat* format = options.format ? options.format : format_of_extension(path);
+  const MeshFormat* source = zones.front().details ? zones.front().details->format : nullptr;
+  const MeshFormat* format = options.format ? options.format : format_of_output(path, source);
   if (!format) {
     throw UsageError(path.string() + ": unknown file format, expected one of " +
-                     supported_extensions());
+                     writable_extensions());
   }
   if (!format->missing.empty()) {
     throw UsageError(path.string() + ": " + std::string(format->missing));

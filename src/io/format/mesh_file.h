@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 
 #include "core/geometry/periodic_pairs.h"
 #include "core/mesh/mesh.h"
@@ -18,6 +19,17 @@ namespace winslow::io {
 struct MeshFormat;     // io/format/mesh_format.h
 class PlanePlacement;  // io/format/mesh_in_space.h
 
+/// What a file says about its markers, besides their faces.
+struct MarkerRoles {
+  /// Planes of symmetry and the like, whose nodes slide along them unless they are held
+  /// (add_file_defaults()), with the file's word for them: "symmetryPlane".
+  std::vector<std::pair<std::string, std::string>> symmetry;
+  /// The nodes of the file's periodic pairs move together unless their markers are held.
+  bool pairs_move = false;
+  /// Names that stand for several markers.
+  std::map<std::string, std::vector<std::string>> groups;
+};
+
 /// Content of a file beyond a Mesh (version, entity and node tags, order of blocks, ...). Kept from
 /// reading to writing, so that in a file of the same format only the coordinates change. Each
 /// format derives its own class.
@@ -33,6 +45,7 @@ struct FormatDetails {
   int zone = 0;                   ///< the one that was read
   /// Periodic sides that the file names; null for details that came from no file.
   std::shared_ptr<GivenPeriodicity> periodic;
+  MarkerRoles roles;
 
   /// True if a mesh has as many nodes and elements as the one that was read.
   bool same_size(const Topology& topology) const {
@@ -50,6 +63,9 @@ struct MeshFile {
 
 struct ReadOptions {
   int zone = 0;  ///< number of the zone to read, of formats that have zones; 0: the first
+  /// Of formats whose meshes move with time (OpenFOAM): "latest" or the name of a time; empty: that
+  /// of the path, else the mesh at the begin.
+  std::string time = {};
 };
 
 /// Reads a mesh. The content decides the format (with a warning if the extension disagrees); the
