@@ -64,6 +64,9 @@ void require_images(const Motion& motion, const Coordinates& rest, const Links& 
   Coordinates x = rest;
   for (const double fraction : {1.0, 0.5}) {
     motion.apply(rest, fraction, x);
+    double longest = 0;
+    for (const Index node : motion.nodes())
+      longest = std::max(longest, (place_of(x, node) - place_of(rest, node)).norm());
     for (const Index node : motion.nodes()) {
       const auto found = links.find(node);
       if (found == links.end()) continue;
@@ -71,8 +74,7 @@ void require_images(const Motion& motion, const Coordinates& rest, const Links& 
       for (const auto& [other, rotation, sides] : found->second) {
         if (!std::ranges::binary_search(motion.nodes(), other)) continue;
         const Vec3 of_other = place_of(x, other) - place_of(rest, other);
-        if ((of_other - rotation * way).norm() <= share * std::max(way.norm(), of_other.norm()))
-          continue;
+        if ((of_other - rotation * way).norm() <= share * longest) continue;
         throw UsageError("the motion takes nodes " + std::to_string(node) + " and " +
                          std::to_string(other) + ", which are periodic images of " + sides->first +
                          " and " + sides->second +

@@ -33,6 +33,7 @@ const MeshFormat format{.name = "foam",
                         .quadrilaterals = "yes, one cell thick",
                         .folder_name = "polyMesh",
                         .writes = {true, false, true},
+                        .keeps_periodic = true,
                         .recognise = [](const Content&) { return Evidence{}; },
                         .find_folder = find_folder,
                         .read_folder = read,
@@ -229,6 +230,9 @@ std::vector<OutputFile> files(const fs::path& path, const Mesh& mesh, const Form
   const NewMesh made = plane ? new_thin_mesh(mesh, source, own) : new_volume_mesh(mesh, own);
   warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
   warn_of_losses(mesh, own, warnings);
+  if (own == nullptr && source != nullptr && source->periodic)
+    if (const std::string names = named_pairs(*source->periodic); !names.empty())
+      warnings.push_back("the periodic pairs of the source (" + names + ") are not written");
   return new_files(made, place, own != nullptr && own->mesh.points_compressed);
 }
 
