@@ -1,6 +1,7 @@
 """Cases of OpenFOAM: time folders, safe outputs, plane meshes one cell thick, wedges, symmetry and
 cyclic patches. Where OpenFOAM is installed, its checkMesh and icoFoam judge what was written."""
 
+import gzip
 import os
 import pathlib
 import re
@@ -30,12 +31,14 @@ class FoamTest(ProgramTest):
         shutil.copytree(DATA / name, self.path(to))
         return self.path(to)
 
-    def foam(self, *command, cwd=None):
+    def foam(self, *command, check=True):
         env = {**os.environ}
         env.setdefault("WM_PROJECT_DIR", str(FOAM))
-        run = subprocess.run(command, cwd=cwd or self.folder, capture_output=True, text=True,
+        run = subprocess.run(command, cwd=self.folder, capture_output=True, text=True,
                              check=False, timeout=300, env=env)
-        self.assertEqual(run.returncode, 0, f"{command}\n{run.stdout[-3000:]}\n{run.stderr[-2000:]}")
+        if check:
+            self.assertEqual(run.returncode, 0,
+                             f"{command}\n{run.stdout[-3000:]}\n{run.stderr[-2000:]}")
         return run.stdout
 
     def check_mesh(self, case, time=None):
@@ -153,6 +156,78 @@ class PlaneMeshes(FoamTest):
         self.winslow("move", "case", "--marker", "bafM", "--marker", "bafS", *move, "case/2")
         self.assertEqual(points(self.path("case/1/polyMesh/points")),
                          points(self.path("case/2/polyMesh/points")))
+
+
+@unittest.skipUnless(HAS_FOAM and TUTORIALS.is_dir(), "needs OpenFOAM and its examples")
+class Tutorials(FoamTest):
+    """Cases of OpenFOAM's own tutorials, moved with default options."""
+
+    def tutorial(self, name):
+        """Copies a tutorial and makes its mesh; returns the case."""
+        case = self.path(pathlib.Path(name).name)
+        shutil.copytree(TUTORIALS / name, case)
+        for file in case.rglob("*.gz"):
+            file.with_suffix("").write_bytes(gzip.decompress(file.read_bytes()))
+            file.unlink()
+        if (case / "system" / "blockMeshDict").exists():
+            self.foam("blockMesh", "-case", case)
+        return case
+
+    def moved(self, name, *command, time="0.1", checked=True):
+        """Moves the mesh of a tutorial into a time folder; nothing but its points is new."""
+        case = self.tutorial(name)
+        before = contents(case)
+        self.winslow(command[0], case, "-o", case / time, *command[1:], "--report", "r.json")
+        after = contents(case)
+        self.assertEqual(set(after) - set(before), {time + "/polyMesh/points"})
+        self.assertEqual({file: after[file] for file in before}, before)
+        self.assertNotEqual(after["constant/polyMesh/points"], after[time + "/polyMesh/points"])
+        if checked:
+            self.check_mesh(case, time)
+        return case
+
+    def go_on(self, case, solver, time, to):
+        """Lets a solver go on from the written time."""
+        for field in (case / "0").iterdir():
+            if field.is_file():
+                shutil.copy(field, case / time)
+        control = case / "system" / "controlDict"
+        text = re.sub(r"startFrom .*", "startFrom latestTime;", control.read_text())
+        control.write_text(re.sub(r"endTime .*", f"endTime {to};", text))
+        self.assertIn("End", self.foam(solver, "-case", case))
+
+    def test_cavity(self):
+        case = self.moved("incompressible/icoFoam/cavity/cavity", "deform", "--marker",
+                          "fixedWalls", "--sine", "0.004", "1", "--direction", "1", "0")
+        self.assertEqual(self.json("r.json")["nodes"], 21 * 21)
+        self.go_on(case, "icoFoam", "0.1", "0.12")
+
+    def test_pitz_daily(self):
+        self.moved("incompressible/simpleFoam/pitzDaily", "deform", "--marker", "lowerWall",
+                   "--sine", "0.002", "3")
+
+    def test_an_aerofoil(self):
+        # Its own faces are not in upper triangular order, which checkMesh minds.
+        case = self.moved("incompressible/simpleFoam/airFoil2D", "move", "--marker", "walls",
+                          "--rotate", "5", time="1", checked=False)
+        said = self.foam("checkMesh", "-case", case, "-time", "1", check=False)
+        self.assertEqual(re.findall(r"\*\*\*(.*)", said), ["Faces not in upper triangular order."])
+        shutil.rmtree(case / "1" / "polyMesh" / "sets", ignore_errors=True)
+        self.go_on(case, "simpleFoam", "1", "3")
+
+    def test_a_wedge(self):
+        self.moved("combustion/reactingFoam/RAS/SandiaD_LTS", "deform", "--marker", "wallOutside",
+                   "--sine", "0.01", "2", "--direction", "1", "0")
+
+    def test_a_channel_with_cyclic_sides(self):
+        self.moved("incompressible/pimpleFoam/LES/channel395", "deform", "--marker", "bottomWall",
+                   "--sine", "0.05", "2", "--along", "1", "0", "0")
+
+    def test_a_mesh_of_polyhedra_is_refused_by_name(self):
+        case = self.tutorial("incompressible/icoFoam/cavity/cavity")
+        self.foam("polyDualMesh", "-case", case, "75", "-overwrite")
+        run = self.winslow("quality", case, code=INPUT)
+        self.assertRegex(run.stderr, "a polyhedron|a polygon of")
 
 
 if __name__ == "__main__":
