@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/strategy/run.h"
 #include "core/strategy/surface_shape.h"
+#include "io/format/mesh_format.h"
 #include "io/recipe/recipe.h"
 #include "io/tables/slide_files.h"
 #include "io/tables/table_files.h"
@@ -28,7 +29,7 @@ std::vector<std::string> other_inputs(const EditJob& job) {
 void check_files(const EditJob& job) {
   const JobFiles& files = job.files;
   if (files.output.empty()) throw UsageError("no file to write to: give one with -o OUT");
-  check_mesh_output(files.output);
+  check_mesh_output(files.output, files.input);
   const std::vector<std::string> tables{files.report, files.history, files.save_recipe};
   for (const std::string& path : tables) check_output(path);
   check_inputs_kept(tables, {files.input});  // the mesh may be written over itself
@@ -218,9 +219,15 @@ void write_recipe(const EditJob& job) {
   const auto relative = [&](const std::string& path) {
     return fs::proximate(fs::absolute(path), folder).generic_string();
   };
-  io::Recipe written{relative(job.files.input), relative(job.files.output), job.commands,
-                     job.files.reading.zone};
-  written.regions = job.files.reading.regions;
+  const io::ReadOptions& reading = job.files.reading;
+  const io::MeshFormat* of_folder =
+      reading.time.empty() ? nullptr : io::format_of_folder(job.files.input);
+  // The folder of the time that was read, which may have a mesh of its own later.
+  const std::string input =
+      of_folder ? of_folder->find_folder(job.files.input, reading.time).parent_path().string()
+                : job.files.input;
+  io::Recipe written{relative(input), relative(job.files.output), job.commands, reading.zone};
+  written.regions = reading.regions;
   if (!job.files.reference_mesh.empty())
     written.reference_mesh = relative(job.files.reference_mesh);
   io::write_recipe(recipe, written);
@@ -253,14 +260,18 @@ void save(const EditJob& job, const std::vector<ZoneRun>& zones, RunReport& run)
 }
 
 /// Reads the mesh, or the zones that the commands change.
-std::vector<ZoneRun> load(const EditJob& job, RunReport& run) {
+std::vector<ZoneRun> load(EditJob& job, RunReport& run) {
   std::vector<io::MeshFile> files = read_zones(job.files.input, job.files.reading);
   if (files.size() > 1 && !io::keeps_zones(job.files.output, *files[0].details)) {
     throw UsageError(job.files.output + ": cannot hold the " + std::to_string(files.size()) +
                      " zones of " + job.files.input + "; choose one with --zone N");
   }
   warn(job.files, warnings_of(files), run);
-  return share_out(std::move(files), job.commands, job.files.input);
+  for (Command& command : job.commands) expand_groups(command, files);
+  std::vector<ZoneRun> zones = share_out(std::move(files), job.commands, job.files.input);
+  const std::vector<std::string> defaults = add_file_defaults(zones);
+  if (!job.files.quiet) print_remarks(defaults);
+  return zones;
 }
 
 void measure(ZoneRun& zone, const QualityOptions& options) {
@@ -288,7 +299,8 @@ nlohmann::json make_report(const std::vector<ZoneRun>& zones, const RunReport& r
 
 }  // namespace
 
-ExitCode run_edit_job(const EditJob& job) {
+ExitCode run_edit_job(const EditJob& given) {
+  EditJob job = given;
   const OutputForData for_data(job.files.report == standard_output);
   check_files(job);
   check_options(job.commands);

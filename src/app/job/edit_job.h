@@ -28,8 +28,8 @@ struct ZoneRun {
 /// Number of inverted elements of all results.
 Index inverted_elements(const std::vector<ZoneRun>& zones);
 
-/// Reads the zone that the options name; 0: all zones, in the order of the file. A file without zones
-/// is one mesh. Throws what io::read_mesh throws.
+/// Reads the zone that the options name; 0: all zones, in the order of the file. A file without
+/// zones is one mesh. Throws what io::read_mesh throws.
 std::vector<io::MeshFile> read_zones(const std::string& path, const io::ReadOptions& options);
 
 /// Warnings of all files without duplicates.
@@ -41,6 +41,12 @@ std::vector<std::string> warnings_of(const std::vector<io::MeshFile>& files);
 /// nearest), and for node numbers that would be ambiguous between several zones.
 std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
                                const std::vector<Command>& commands, const std::string& file);
+
+/// Replaces names of groups of markers in a command (io::expand_groups()).
+void expand_groups(Command& command, const std::vector<io::MeshFile>& files);
+/// Adds what the files say about their boundaries to the commands (io::add_file_defaults()).
+/// Returns a sentence for each zone and command, each sentence once.
+std::vector<std::string> add_file_defaults(std::vector<ZoneRun>& zones);
 
 /// Reads the files that the commands need. A zone may lack periodic sides if another zone of the
 /// file has some. Throws what io::resolve_files() throws.

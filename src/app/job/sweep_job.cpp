@@ -350,24 +350,25 @@ std::vector<std::string> names_of_outputs(const SweepJob& job) {
 }
 
 /// Throws UsageError for an extension that no format has.
-void check_formats(const std::vector<std::string>& outputs) {
+void check_formats(const SweepJob& job, const std::vector<std::string>& outputs) {
   for (const std::string& output : outputs) {
-    const io::MeshFormat* format = io::format_of_extension(output);
+    const io::MeshFormat* format =
+        io::format_of_output(output, io::format_of_folder(job.files.input));
     if (!format)
       throw UsageError(output + ": unknown extension, expected one of " +
-                       io::supported_extensions());
+                       io::writable_extensions());
     if (!format->missing.empty()) throw UsageError(output + ": " + std::string(format->missing));
   }
 }
 
 /// Checks that the folders of the outputs can be written to, or made. They are made with the first
 /// file.
-void check_folders(const std::vector<std::string>& outputs) {
+void check_folders(const SweepJob& job, const std::vector<std::string>& outputs) {
   for (const std::string& output : outputs) {
     fs::path folder = fs::absolute(output).parent_path();
     std::error_code error;
     if (fs::is_directory(folder, error)) {
-      check_mesh_output(output);
+      check_mesh_output(output, job.files.input);
       continue;
     }
     while (!fs::exists(folder, error) && folder.has_relative_path()) folder = folder.parent_path();
@@ -393,14 +394,24 @@ MoveCommand all_bodies(const SweepJob& job) {
   return command;
 }
 
-Inputs load(const SweepJob& job) {
+Inputs load(SweepJob& job) {
   std::vector<io::MeshFile> files = read_zones(job.files.input, job.files.reading);
   if (!job.files.quiet) print_warnings(warnings_of(files));
-  std::vector<ZoneRun> zones =
-      share_out(std::move(files), {Command(all_bodies(job))}, job.files.input);
+  for (io::MotionStep& step : job.steps) {
+    MoveCommand move;
+    move.bodies = step.bodies;
+    Command command = move;
+    expand_groups(command, files);
+    step.bodies = std::get<MoveCommand>(command).bodies;
+  }
+  Command whole = all_bodies(job);
+  expand_groups(whole, files);
+  std::vector<ZoneRun> zones = share_out(std::move(files), {whole}, job.files.input);
   if (zones.size() > 1)
     throw UsageError("the markers that move are in several zones of " + job.files.input +
                      ", and a sweep is of one: choose it with --zone N");
+  const std::vector<std::string> defaults = add_file_defaults(zones);
+  if (!job.files.quiet) print_remarks(defaults);
   resolve_files(zones, io::read_reference);
   Inputs inputs{std::move(zones.front()), {}, {}};
   const Mesh& mesh = inputs.zone.source.mesh;
@@ -509,11 +520,12 @@ std::string output_name(const std::string& pattern, const io::MotionStep& step) 
   return name;
 }
 
-ExitCode run_sweep_job(const SweepJob& job) {
+ExitCode run_sweep_job(const SweepJob& given) {
+  SweepJob job = given;
   validate(job.smooth);
   const std::vector<std::string> outputs = names_of_outputs(job);
-  check_formats(outputs);
-  check_folders(outputs);
+  check_formats(job, outputs);
+  check_folders(job, outputs);
   check_output(job.results);
   const InterruptGuard interrupts;
   Stopwatch total;

@@ -3,6 +3,7 @@
 #include "app/job/edit_job.h"
 #include "app/options/flags.h"
 #include "core/error.h"
+#include "io/tables/file_defaults.h"
 
 namespace winslow::app {
 namespace {
@@ -161,6 +162,23 @@ std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
   }
   refuse_ambiguous(runs, file);
   return runs;
+}
+
+void expand_groups(Command& command, const std::vector<io::MeshFile>& files) {
+  for (const io::MeshFile& file : files)
+    if (file.details) io::expand_groups(command, file.details->roles, *file.mesh.topology);
+}
+
+std::vector<std::string> add_file_defaults(std::vector<ZoneRun>& zones) {
+  std::vector<std::string> said;
+  for (ZoneRun& zone : zones)
+    for (std::optional<Command>& command : zone.commands) {
+      std::string text = command ? io::add_file_defaults(*command, zone.source) : std::string();
+      if (text.empty()) continue;
+      if (const std::string name = zone.name(); !name.empty()) text.insert(0, name + ": ");
+      if (std::ranges::find(said, text) == said.end()) said.push_back(std::move(text));
+    }
+  return said;
 }
 
 void resolve_files(std::vector<ZoneRun>& zones, const io::ReferenceReader& read) {

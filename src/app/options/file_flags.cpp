@@ -35,6 +35,9 @@ void add_zone_flag(CLI::App& app, int& zone, const std::string& without) {
 void add_reading_flags(CLI::App& app, io::ReadOptions& reading, const std::string& without_zone) {
   add_zone_flag(app, reading.zone, without_zone);
   FlagGroup group(app);
+  group.value_as("--time", reading.time, "latest|T",
+                 "Time of an OpenFOAM case whose points have moved: the latest, or the name of its "
+                 "folder, as 0.5; without: that of the path, else constant");
   group.value_as(
       "--regions", reading.regions, "ARRAY",
       "Cell array of a VTK or VTU file whose whole numbers are the regions of the elements; "
@@ -49,7 +52,10 @@ void add_job_flags(CLI::App& app, JobFiles& files) {
   add_reading_flags(app, files.reading,
                     "all that have the markers named, all zones if none is named");
   FlagGroup group(app, "Output");
-  group.value("-o,--output", files.output, "OUT", "Mesh to write; may be IN itself");
+  group.value(
+      "-o,--output", files.output, "OUT",
+      "Mesh to write; may be IN itself. Of OpenFOAM a folder: CASE/0.5 for the moved points "
+      "of a time, another case for all of the mesh");
   group.value("--report", files.report, "FILE.json",
               "Write what was done, and the quality, as JSON; -: to the standard output, and what "
               "else is said to the standard error");
@@ -132,18 +138,26 @@ void check_is_file(const std::string& path, const char* flag) {
         "that is called -)");
 }
 
-void check_mesh_output(const std::string& path) {
+void check_mesh_output(const std::string& path, const std::string& input) {
   if (path.empty()) return;
-  const io::MeshFormat* format = io::format_of_extension(path);
+  const io::MeshFormat* source = input.empty() ? nullptr : io::format_of_folder(input);
+  const io::MeshFormat* format = io::format_of_output(path, source);
   if (!format) {
-    throw UsageError(path + ": unknown extension, expected one of " + io::supported_extensions());
+    throw UsageError(path + ": unknown extension, expected one of " + io::writable_extensions());
   }
   if (!format->missing.empty()) throw UsageError(path + ": " + std::string(format->missing));
+  if (!format->folder_to_write) {
+    check_output(path);
+    return;
+  }
   // A mesh folder may already exist, or is made together with its parent folders.
-  const fs::path target(path);
-  const fs::path name = (target.has_filename() ? target : target.parent_path()).filename();
-  if (!format->folder_name.empty() && name == format->folder_name) return;
-  check_output(path);
+  fs::path folder = fs::absolute(format->folder_to_write(path, source ? input : std::string()));
+  std::error_code error;
+  while (!fs::exists(folder, error) && folder.has_relative_path()) folder = folder.parent_path();
+  if (!fs::is_directory(folder, error))
+    throw OutputError(path + ": " + folder.string() + " is no folder");
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    throw OutputError(path + ": the folder " + folder.string() + " cannot be written to");
 }
 
 void check_distinct(const std::vector<std::string>& paths) {
@@ -171,7 +185,7 @@ fs::path whole_path(const std::string& path) {
   fs::path named = path;
   for (const io::MeshFormat* format : io::mesh_formats()) {
     if (!format->find_folder) continue;
-    if (const fs::path folder = format->find_folder(path); !folder.empty()) named = folder;
+    if (const fs::path folder = format->find_folder(path, {}); !folder.empty()) named = folder;
   }
   std::error_code error;  // set for a pipe, whose path cannot be resolved
   fs::path whole = fs::weakly_canonical(fs::absolute(named), error);

@@ -79,8 +79,8 @@ void add_input(CLI::App& app, std::string& input);
 void add_inputs(CLI::App& app, std::vector<std::string>& inputs);
 /// Declares --zone; `without`: text for the help on what happens without it.
 void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
-/// Declares --zone, --regions and --repair. without_zone: text for the help on what happens without
-/// --zone.
+/// Declares --zone, --time, --regions and --repair. without_zone: text for the help on what happens
+/// without --zone.
 void add_reading_flags(CLI::App& app, io::ReadOptions& reading, const std::string& without_zone);
 /// Declares those of add_reading_flags, -o, --report, --history, --memory, --allow-inverted,
 /// --accept-partial, --quiet and those of add_encoding_flags.
@@ -94,8 +94,9 @@ void add_encoding_flags(CLI::App& app, io::WriteOptions& encoding);
 void add_quiet_flag(CLI::App& app, bool& quiet);
 
 /// Checks an output path before a long solve. Throws UsageError if the extension of a mesh is
-/// unknown, OutputError if the folder does not exist or is not writable. Accepts an empty path.
-void check_mesh_output(const std::string& path);
+/// unknown, OutputError if the folder does not exist or is not writable. input: the mesh that is
+/// read; empty: unknown. Accepts an empty path.
+void check_mesh_output(const std::string& path, const std::string& input = {});
 /// Checks the path of any other output file in the same way. Accepts standard_output.
 void check_output(const std::string& path);
 /// Throws UsageError for standard_output: `flag` takes the name of a file.

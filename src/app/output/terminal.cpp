@@ -37,6 +37,10 @@ void print_warnings(const std::vector<std::string>& warnings) {
     std::cerr << "winslow: warning: " << printable(text) << '\n';
 }
 
+void print_remarks(const std::vector<std::string>& remarks) {
+  for (const std::string& text : remarks) std::cout << printable(text) << '\n';
+}
+
 OutputForData::OutputForData(bool wanted) {
   if (wanted) before_ = std::cout.rdbuf(std::cerr.rdbuf());
 }

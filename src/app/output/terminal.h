@@ -46,6 +46,8 @@ std::string printable(std::string_view text);
 
 /// Prints each warning to the standard error, as a line "winslow: warning: ...".
 void print_warnings(const std::vector<std::string>& warnings);
+/// Prints sentences on what a run does, a line each, to the standard output.
+void print_remarks(const std::vector<std::string>& remarks);
 
 /// Keeps the standard output for data that other programs read: during its lifetime, what is
 /// printed to std::cout goes to the standard error.

@@ -28,7 +28,7 @@ class ConvertSubcommand : public Subcommand {
 
   ExitCode run() override {
     choose_output();
-    check_mesh_output(output_);
+    check_mesh_output(output_, input_);
     const InterruptGuard interrupts;
     const std::vector<io::MeshFile> files = read_zones(input_, reading_);
     InterruptGuard::check();

@@ -281,7 +281,9 @@ std::vector<GivenPairs> pairs_of_file(const SlideOptions& slide, const GivenPeri
     for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2)
       named = named || (slide.periodic[k] == pair.first && slide.periodic[k + 1] == pair.second) ||
               (slide.periodic[k] == pair.second && slide.periodic[k + 1] == pair.first);
-    if (!named || pair.halo) wanted.push_back(pair);
+    const bool held = std::ranges::find(slide.fixed, pair.first) != slide.fixed.end() ||
+                      std::ranges::find(slide.fixed, pair.second) != slide.fixed.end();
+    if ((!named && !held) || pair.halo) wanted.push_back(pair);
   }
   return wanted;
 }
@@ -322,8 +324,9 @@ void hold(const SlideOptions& slide, std::span<const Index> moving, NodeClasses&
       throw UsageError("node " + std::to_string(node) + " is to be held, and the motion takes it");
 }
 
-/// The pairs of the periodic sides, those of halo nodes last.
-std::vector<PeriodicPairs> find_pairs(const ResolvedSlide& slide, const Mesh& mesh) {
+}  // namespace
+
+std::vector<PeriodicPairs> periodic_pairs(const ResolvedSlide& slide, const Mesh& mesh) {
   std::vector<PeriodicPairs> list;
   for (std::size_t k = 0; k + 1 < slide.periodic.size(); k += 2)
     list.push_back(PeriodicPairs::find(*mesh.topology, mesh.coordinates, slide.periodic[k],
@@ -340,6 +343,8 @@ std::vector<PeriodicPairs> find_pairs(const ResolvedSlide& slide, const Mesh& me
   return list;
 }
 
+namespace {
+
 /// Keeps only the corners that move: those found to slide, and their periodic copies.
 void keep_sliding_corners(const std::vector<PeriodicPair>& sliding, const NodeClasses& classes,
                           PeriodicPairs& pairs) {
@@ -355,6 +360,15 @@ void leave_to_motion(std::span<const Index> taken, std::vector<SlidingPart>& par
   for (SlidingPart& part : parts)
     std::erase_if(part.nodes, [&](Index node) { return std::ranges::binary_search(taken, node); });
   std::erase_if(parts, [](const SlidingPart& part) { return part.nodes.empty(); });
+}
+
+/// Removes the pairs that a motion takes with both nodes.
+void leave_to_motion(std::span<const Index> taken, PeriodicPairs& pairs) {
+  const auto is_taken = [&](const PeriodicPair& pair) {
+    return std::ranges::binary_search(taken, pair.node) &&
+           std::ranges::binary_search(taken, pair.image);
+  };
+  for (auto* list : {&pairs.pairs, &pairs.corners}) std::erase_if(*list, is_taken);
 }
 
 /// Sets the nodes of a boundary to slide. Returns the corners of periodic sides that do.
@@ -419,7 +433,7 @@ MovingBoundary make_boundary_move(const ResolvedSlide& slide, const Mesh& mesh,
   if (slide.markers.empty() && !slides_inside && !slide.smooth_nodes.empty())
     throw UsageError("smooth_nodes: no marker slides: name the marker of node " +
                      std::to_string(slide.smooth_nodes.front()));
-  out.periodic = find_pairs(slide, mesh);
+  out.periodic = periodic_pairs(slide, mesh);
   std::vector<PeriodicPair> corners;
   FeatureRules rules = feature_rules(slide), inside = rules;
   if (slides_inside) {
@@ -446,6 +460,7 @@ MovingBoundary make_boundary_move(const ResolvedSlide& slide, const Mesh& mesh,
   }
   for (PeriodicPairs& pairs : out.periodic) {
     keep_sliding_corners(corners, classes, pairs);
+    leave_to_motion(taken, pairs);
     require_not_held(slide, pairs);
     for (const auto* list : {&pairs.pairs, &pairs.corners})
       for (const auto& [node, image] : *list) {

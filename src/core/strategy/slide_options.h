@@ -124,6 +124,11 @@ struct MovingBoundary {
   std::vector<HeldFoothold> held_footholds;
 };
 
+/// The pairs of periodic sides that the options and the file name, but for those of markers that
+/// are fixed; those of halo nodes last. Throws UsageError as PeriodicPairs::find() and
+/// PeriodicPairs::of() do.
+std::vector<PeriodicPairs> periodic_pairs(const ResolvedSlide& slide, const Mesh& mesh);
+
 /// Sets the nodes of the markers to slide, couples those of the pairs, fixes the nodes to hold, and
 /// holds nodes in which regions meet or lets them slide. `automatic` interfaces are free if
 /// `moving` has nodes. A motion takes its nodes from an interface. Throws UsageError as

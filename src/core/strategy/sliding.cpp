@@ -420,6 +420,13 @@ struct Junction {
   std::size_t part;
 };
 
+/// Whether a node is on the marker of a part. It is not where a face of a periodic side joins it to
+/// a sliding corner of that side.
+bool stands_on(const Topology& topology, Index node, const SlidingPart& part) {
+  const auto marker = topology.markers().find(part.marker);
+  return !marker || std::ranges::binary_search(topology.markers().nodes(*marker), node);
+}
+
 std::vector<Junction> find_junctions(const Topology& topology, std::span<const Index> moving,
                                      const std::vector<SlidingPart>& parts) {
   std::vector<bool> moves(at(topology.node_count()), false);
@@ -434,7 +441,8 @@ std::vector<Junction> find_junctions(const Topology& topology, std::span<const I
     for (const Index node : face.nodes) {
       if (!moves[at(node)]) continue;
       for (const Index other : face.nodes)
-        if (const auto part = part_of.find(other); part != part_of.end())
+        if (const auto part = part_of.find(other);
+            part != part_of.end() && stands_on(topology, node, parts[part->second]))
           junctions.push_back({node, other, part->second});
     }
   }

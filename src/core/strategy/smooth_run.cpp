@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/formulation/box_field.h"
 #include "core/motion/contact.h"
+#include "core/motion/image_motion.h"
 #include "core/motion/transfer.h"
 #include "core/problem/node_unknowns.h"
 #include "core/quality/quality.h"
@@ -422,8 +423,12 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& asked,
   return result;
 }
 
-SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const MotionOptions& how,
-                           const SmoothOptions& asked, Coordinates& x, const RunOptions& run) {
+namespace {
+
+/// smooth_motion() of a motion that takes along the images of its nodes.
+SmoothResult smooth_complete_motion(const MeshState& state, const Motion& bodies,
+                                    const MotionOptions& how, const SmoothOptions& asked,
+                                    Coordinates& x, const RunOptions& run) {
   SmoothOptions options = asked;
   options.targets = options.targets.or_else(TargetBlend::keeping());
   if (!how.smooth_after) return move_alone(state, bodies, options, x);
@@ -479,6 +484,43 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& bodies, const M
   if (options.raise_worst)
     raise_worst(state, classes, workspace, recorder, result.fraction_reached, x);
   return result;
+}
+
+/// A motion with the images of its nodes across periodic sides, and the bodies that it moves.
+struct PeriodicMotion {
+  std::unique_ptr<const Motion> motion;  ///< null: no node has an image
+  BodyNodes bodies;
+};
+
+PeriodicMotion with_images_of_sides(const MeshState& state, const Motion& motion,
+                                    const SmoothOptions& options, const RunOptions& run) {
+  PeriodicMotion out;
+  if (!options.slide.has_pairs() || state.surface) return out;
+  const Coordinates& rest = state.mesh.coordinates;
+  const auto sides = periodic_pairs({options.slide, run.files}, state.mesh);
+  out.motion = with_images(motion, rest, sides);
+  if (!out.motion || !run.bodies) return out;
+  // An image stands on what is under it as its node does.
+  out.bodies = *run.bodies;
+  const BodyNodes all = body_nodes(*out.motion, rest);
+  for (const Index node : all.all)
+    if (!std::ranges::binary_search(motion.nodes(), node)) out.bodies.all.push_back(node);
+  for (const Index node : all.standing)
+    if (!std::ranges::binary_search(motion.nodes(), node)) out.bodies.standing.push_back(node);
+  std::ranges::sort(out.bodies.all);
+  std::ranges::sort(out.bodies.standing);
+  return out;
+}
+
+}  // namespace
+
+SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const MotionOptions& how,
+                           const SmoothOptions& asked, Coordinates& x, const RunOptions& run) {
+  const PeriodicMotion periodic = with_images_of_sides(state, motion, asked, run);
+  if (!periodic.motion) return smooth_complete_motion(state, motion, how, asked, x, run);
+  RunOptions with_images = run;
+  if (run.bodies) with_images.bodies = &periodic.bodies;
+  return smooth_complete_motion(state, *periodic.motion, how, asked, x, with_images);
 }
 
 Coordinates starting_point(const MeshState& state, const RunOptions& options) {

@@ -116,6 +116,10 @@ class MarkerMaker {
     std::string name = family_of(condition);
     if (name.empty()) name = condition.name();
     details_.conditions[add(name, faces)].push_back(condition.name());
+    auto& symmetry = details_.roles.symmetry;
+    if (const std::string type = condition.text();
+        type == "BCSymmetryPlane" && std::ranges::find(symmetry, std::pair(name, type)) == symmetry.end())
+      symmetry.emplace_back(name, type);
   }
 
   void add_interface(const NodeView& interface) {

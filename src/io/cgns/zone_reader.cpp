@@ -130,6 +130,7 @@ class ZoneReader {
     details_->periodic = std::make_shared<GivenPeriodicity>();
     details_->periodic->pairs =
         cgns::periodic_pairs(zone_, head_, boundary, pairs_of, mesh_.data, mesh_.warnings);
+    details_->roles.pairs_move = !details_->periodic->pairs.empty();
   }
 
   /// vertices: the vertex of each node; empty: the nodes are the vertices.

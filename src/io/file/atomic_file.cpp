@@ -11,7 +11,6 @@
 #include <cstring>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "core/error.h"
 #include "io/file/gzip.h"
@@ -264,7 +263,7 @@ void write_atomically(std::span<const OutputFile> files) {
   for (std::size_t k = 0; k < files.size(); ++k) {
     if (written[k]) written[k]->commit();
     std::error_code ignored;
-    if (!files[k].replaces.empty()) fs::remove(files[k].replaces, ignored);
+    for (const fs::path& other : files[k].replaces) fs::remove(other, ignored);
   }
 }
 

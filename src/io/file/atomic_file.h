@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace winslow::io {
 
@@ -36,7 +37,7 @@ void write_atomically(const std::filesystem::path& path,
 struct OutputFile {
   std::filesystem::path path;
   std::function<void(std::ostream&)> write;
-  std::filesystem::path replaces = {};  ///< another file to remove, if it exists
+  std::vector<std::filesystem::path> replaces = {};  ///< other files to remove, if they exist
 };
 /// The same for files that belong together: all are written before the first is renamed.
 void write_atomically(std::span<const OutputFile> files);

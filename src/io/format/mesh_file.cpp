@@ -102,16 +102,6 @@ void check_dimension(const std::filesystem::path& path, const Topology& topology
                    std::string(mesh_kind(topology)));
 }
 
-/// The format of a path that is a mesh folder or stands for one; null for an ordinary file.
-const MeshFormat* folder_format(const std::filesystem::path& path, std::filesystem::path& folder) {
-  for (const MeshFormat* format : mesh_formats()) {
-    if (!format->find_folder) continue;
-    folder = format->find_folder(path);
-    if (!folder.empty()) return format;
-  }
-  return nullptr;
-}
-
 /// Whether repair() mends what make_mesh() complains of.
 bool is_mended(const MeshError& error) {
   const std::string_view text = error.what();
@@ -151,15 +141,18 @@ void build_mesh(const Source& source, const ReadOptions& options, ParsedMesh& pa
 
 /// A mesh file before its content is read.
 struct OpenedMesh {
-  explicit OpenedMesh(const std::filesystem::path& path)
-      : format(folder_format(path, folder)),
-        source(format ? Source(folder.string(), {}) : Source::load(path)) {
+  OpenedMesh(const std::filesystem::path& mesh, const std::string& time)
+      : path(mesh),
+        format(format_of_folder(mesh)),
+        source(format ? Source(format->find_folder(mesh, time).string(), {}) : Source::load(mesh)) {
+    if (!format && !time.empty())
+      throw UsageError(path.string() + ": has no times (--time), which are for cases of OpenFOAM");
     if (!format) format = detect(source, path, warnings);
     if (!format->missing.empty())
       throw InputError(source.name() + ": " + std::string(format->missing));
   }
 
-  std::filesystem::path folder;
+  std::filesystem::path path;
   const MeshFormat* format;
   Source source;
   std::vector<std::string> warnings;  ///< of the whole file
@@ -210,6 +203,7 @@ void check_options(const OpenedMesh& opened, const ReadOptions& options) {
 /// Reads the zone that the options name, or the whole file.
 ParsedMesh parse(OpenedMesh& opened, const ReadOptions& options) {
   const MeshFormat& format = *opened.format;
+  if (format.read_folder) return format.read_folder(opened.source, opened.path, options.time);
   if (format.read_arrays) return format.read_arrays(opened.source, options.regions);
   if (format.read_zone) return format.read_zone(opened.source, options.zone);
   return format.read(opened.source);
@@ -231,7 +225,7 @@ std::vector<std::string> losses(const MeshFormat& format, const FormatDetails& d
 }  // namespace
 
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options) {
-  OpenedMesh opened(path);
+  OpenedMesh opened(path, options.time);
   check_options(opened, options);
   ParsedMesh parsed = parse(opened, options);
   return finish(opened, options, std::move(parsed), std::move(opened.warnings));
@@ -240,7 +234,7 @@ MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options
 std::vector<MeshFile> read_mesh_zones(const std::filesystem::path& path,
                                       const ReadOptions& options) {
   std::vector<MeshFile> files;
-  OpenedMesh opened(path);
+  OpenedMesh opened(path, options.time);
   ReadOptions whole = options;
   whole.zone = 0;
   check_options(opened, whole);
@@ -264,7 +258,7 @@ std::vector<std::string> zones_left(const FormatDetails* details,
 }
 
 bool keeps_zones(const std::filesystem::path& path, const FormatDetails& details) {
-  const MeshFormat* format = format_of_extension(path);
+  const MeshFormat* format = format_of_output(path, details.format);
   return format != nullptr && format->write_zones && format == details.format;
 }
 
@@ -296,10 +290,11 @@ bool copy_mesh(const std::filesystem::path& from, const std::filesystem::path& t
 std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
                                           std::span<const MeshZone> zones,
                                           const WriteOptions& options) {
-  const MeshFormat* format = options.format ? options.format : format_of_extension(path);
+  const MeshFormat* source = zones.front().details ? zones.front().details->format : nullptr;
+  const MeshFormat* format = options.format ? options.format : format_of_output(path, source);
   if (!format) {
     throw UsageError(path.string() + ": unknown file format, expected one of " +
-                     supported_extensions());
+                     writable_extensions());
   }
   if (!format->missing.empty()) {
     throw UsageError(path.string() + ": " + std::string(format->missing));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 
 #include "core/geometry/periodic_pairs.h"
 #include "core/mesh/mesh.h"
@@ -17,6 +18,17 @@ namespace winslow::io {
 
 struct MeshFormat;     // io/format/mesh_format.h
 class PlanePlacement;  // io/format/mesh_in_space.h
+
+/// What a file says about its markers, besides their faces.
+struct MarkerRoles {
+  /// Planes of symmetry and the like, whose nodes slide along them unless they are held
+  /// (add_file_defaults()), with the file's word for them: "symmetryPlane".
+  std::vector<std::pair<std::string, std::string>> symmetry;
+  /// The nodes of the file's periodic pairs move together unless their markers are held.
+  bool pairs_move = false;
+  /// Names that stand for several markers.
+  std::map<std::string, std::vector<std::string>> groups;
+};
 
 /// Content of a file beyond a Mesh (version, entity and node tags, order of blocks, ...). Kept from
 /// reading to writing, so that in a file of the same format only the coordinates change. Each
@@ -38,6 +50,7 @@ struct FormatDetails {
 
   /// Names of the data arrays that the file holds besides the mesh, for messages; empty: none.
   virtual std::string data_names() const { return {}; }
+  MarkerRoles roles;
 
   /// True if a mesh has as many nodes and elements as the one that was read.
   bool same_size(const Topology& topology) const {
@@ -70,6 +83,9 @@ struct ReadOptions {
   /// names that are known.
   std::string regions = {};
   Defects defects = Defects::refuse;
+  /// Of formats whose meshes move with time (OpenFOAM): "latest" or the name of a time; empty: that
+  /// of the path, else the mesh at the begin.
+  std::string time = {};
 };
 
 /// Reads a mesh. The content decides the format (with a warning if the extension disagrees); the

@@ -33,6 +33,20 @@ const MeshFormat* format_of_extension(const std::filesystem::path& path) {
   return nullptr;
 }
 
+const MeshFormat* format_of_folder(const std::filesystem::path& path) {
+  for (const MeshFormat* format : mesh_formats())
+    if (format->find_folder && !format->find_folder(path, {}).empty()) return format;
+  return nullptr;
+}
+
+const MeshFormat* format_of_output(const std::filesystem::path& path, const MeshFormat* source) {
+  if (const MeshFormat* format = format_of_extension(path)) return format;
+  for (const MeshFormat* format : mesh_formats())
+    if (format->is_folder_to_write && format->is_folder_to_write(path, format == source))
+      return format;
+  return nullptr;
+}
+
 const MeshFormat* format_of_content(std::string_view bytes) {
   const Content content(bytes);
   const MeshFormat* best = nullptr;
@@ -49,6 +63,13 @@ const MeshFormat* format_of_content(std::string_view bytes) {
 std::string supported_extensions() {
   return list_of(mesh_formats(),
                  [](const MeshFormat* format) { return '.' + std::string(format->name); });
+}
+
+std::string writable_extensions() {
+  return list_of(mesh_formats(), [](const MeshFormat* format) {
+    return format->folder_name.empty() ? '.' + std::string(format->name)
+                                       : "folder " + std::string(format->folder_name);
+  });
 }
 
 std::string binary_formats() {

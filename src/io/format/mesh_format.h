@@ -65,9 +65,19 @@ struct MeshFormat {
   /// Replaces read() for formats that hold data arrays. regions: name of the cell array that holds
   /// the regions; empty: one of the names that are known. Throws UsageError if there is none.
   ParsedMesh (*read_arrays)(Source& source, std::string_view regions) = nullptr;
-  /// For formats whose meshes are folders: the folder that a path stands for; empty: none. read()
-  /// gets it as the name of a source without bytes.
-  std::filesystem::path (*find_folder)(const std::filesystem::path& path) = nullptr;
+  // For formats whose meshes are folders.
+  /// The folder that a path stands for when it is read; empty: none. time: ReadOptions::time.
+  std::filesystem::path (*find_folder)(const std::filesystem::path& path,
+                                       const std::string& time) = nullptr;
+  /// Replaces read(). The source has the folder as its name, and no bytes.
+  ParsedMesh (*read_folder)(Source& source, const std::filesystem::path& path,
+                            const std::string& time) = nullptr;
+  /// Whether a path names a folder to write to. of_format: the mesh comes from this format.
+  bool (*is_folder_to_write)(const std::filesystem::path& path, bool of_format) = nullptr;
+  /// The folder that a path stands for when it is written. input: the mesh that is read; empty:
+  /// unknown. Throws UsageError for what must not be written.
+  std::filesystem::path (*folder_to_write)(const std::filesystem::path& path,
+                                           const std::filesystem::path& input) = nullptr;
   /// Replaces write() (then null) for formats that write several files, or whose file names say
   /// more than the extension. Returns the files; writing them later may add to `warnings`.
   std::vector<OutputFile> (*files)(const std::filesystem::path& path, const Mesh& mesh,
@@ -93,9 +103,16 @@ std::span<const MeshFormat* const> mesh_formats();
 /// and the size; null if there is none.
 const MeshFormat* format_of_extension(const std::filesystem::path& path);
 const MeshFormat* format_of_content(std::string_view content);
+/// The format whose mesh is the folder for which a path stands; null for an ordinary file.
+const MeshFormat* format_of_folder(const std::filesystem::path& path);
+/// The format to write to a path: by its extension, or that of the folder that it names. source: of
+/// the mesh that is written; null: unknown, or none.
+const MeshFormat* format_of_output(const std::filesystem::path& path, const MeshFormat* source);
 
 /// ".su2, .msh, ..." for messages.
 std::string supported_extensions();
+/// The same for what is written: formats whose meshes are folders by the name of the folder.
+std::string writable_extensions();
 /// Titles of the formats that can be written in binary: "Gmsh, VTK, ...".
 std::string binary_formats();
 

@@ -503,6 +503,7 @@ class Mender {
     details->binary = old.binary;
     if (old.plane_z.size() == 1) details->plane_z = old.plane_z;
     details->plane = old.plane;
+    details->roles = old.roles;
     details->zones = old.zones;
     details->zone = old.zone;
     details->changed = true;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <unordered_set>
 
 #include "core/mesh/mesh_data.h"

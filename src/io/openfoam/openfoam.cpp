@@ -1,11 +1,10 @@
 #include "io/openfoam/openfoam.h"
 
-#include <set>
 #include <system_error>
-#include <tuple>
 
 #include "core/error.h"
-#include "core/types.h"
+#include "io/format/periodicity.h"
+#include "io/openfoam/new_mesh.h"
 #include "io/text/numbers.h"
 
 namespace winslow::io::openfoam {
@@ -13,25 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool holds_mesh(const fs::path& folder) {
-  std::error_code error;
-  const auto has = [&](const char* name) {
-    return fs::exists(folder / name, error) ||
-           fs::exists(folder / (std::string(name) + ".gz"), error);
-  };
-  return has("points") && has("faces");
+fs::path find_folder(const fs::path& path, const std::string& time) {
+  const auto place = place_to_read(path, time);
+  return place ? place->folder() : fs::path();
 }
 
-fs::path find_folder(const fs::path& path) {
-  std::error_code error;
-  const bool is_folder = fs::is_directory(path, error);
-  if (!is_folder && path.extension() != ".foam") return {};
-  const fs::path start = is_folder ? path : path.parent_path();
-  for (const fs::path& folder : {start, start / "polyMesh", start / "constant" / "polyMesh"}) {
-    if (holds_mesh(folder)) return folder;
-  }
-  // A .foam file is empty, so the missing item can only be the folder that it stands for.
-  return is_folder ? fs::path() : start / "constant" / "polyMesh";
+fs::path folder_to_write(const fs::path& path, const fs::path& input) {
+  const auto source = input.empty() ? std::nullopt : place_to_read(input, {});
+  return place_to_write(path, source ? &*source : nullptr).folder();
 }
 
 }  // namespace
@@ -39,141 +27,48 @@ fs::path find_folder(const fs::path& path) {
 const MeshFormat format{.name = "foam",
                         .title = "OpenFOAM",
                         .versions = "the folder polyMesh",
+                        .encodings = "text, binary (kept)",
                         .markers = "yes, by name (patches)",
                         .regions = "yes, cell zones are read",
-                        .quadrilaterals = "no plane meshes",
+                        .quadrilaterals = "yes, one cell thick",
                         .folder_name = "polyMesh",
-                        .writes = {false, false, true},
+                        .writes = {true, false, true},
+                        .keeps_periodic = true,
                         .recognise = [](const Content&) { return Evidence{}; },
-                        .read = read,
                         .find_folder = find_folder,
+                        .read_folder = read,
+                        .is_folder_to_write = is_folder_to_write,
+                        .folder_to_write = folder_to_write,
                         .files = files};
 
 namespace {
 
-struct Patch {
-  std::string name;
-  std::vector<Face> faces;
-};
+using Write = std::function<void(std::ostream&)>;
 
-/// Faces in OpenFOAM's order: first inner faces, sorted by the lower and then by the higher cell
-/// number ("upper triangular"), then those of each patch. Faces are counter-clockwise seen from
-/// outside the owner.
-struct FaceList {
-  std::vector<Face> faces;
-  std::vector<Index> owner, neighbour;
-};
-
-void add_inner_faces(const Topology& topology, FaceList& list) {
-  struct Inner {
-    Index owner, neighbour;
-    Face nodes;
-  };
-  std::vector<Inner> inner;
-  for (Index f = 0; f < topology.face_count(); ++f) {
-    const auto [nodes, elements] = topology.face(f);
-    if (elements[1] < 0) continue;
-    if (elements[0] < elements[1]) {
-      inner.push_back({elements[0], elements[1], nodes});
-    } else {
-      inner.push_back({elements[1], elements[0], nodes.reversed()});
-    }
-  }
-  std::ranges::sort(inner, [](const Inner& a, const Inner& b) {
-    return std::tie(a.owner, a.neighbour) < std::tie(b.owner, b.neighbour);
-  });
-  for (const Inner& face : inner) {
-    list.faces.push_back(face.nodes);
-    list.owner.push_back(face.owner);
-    list.neighbour.push_back(face.neighbour);
-  }
+/// Where a mesh says that its files are: "0.5/polyMesh".
+std::string location_of(const MeshPlace& place) {
+  if (place.instance.empty()) return "polyMesh";
+  return place.instance + (place.region.empty() ? "" : "/" + place.region) + "/polyMesh";
 }
 
-/// True if both faces have the same orientation.
-bool same_direction(const Face& a, const Face& b) {
-  const auto second = [](const Face& face, Index first) {
-    std::size_t k = 0;
-    while (k < face.size() && face[k] != first) ++k;
-    return face[(k + 1) % face.size()];
-  };
-  return second(a, a[0]) == second(b, a[0]);
-}
-
-/// Boundary faces by patches: for each marker its faces that no earlier marker has, then the faces
-/// without a marker.
-std::vector<Patch> patches_of(const Topology& topology, std::vector<std::string>& warnings) {
-  std::vector<Patch> patches;
-  std::vector<bool> taken(at(topology.face_count()), false);
-  std::size_t inside = 0, twice = 0;
-  if (topology.markers().from_file()) {
-    for (const Marker& marker : topology.markers()) {
-      Patch patch{marker.name, {}};
-      for (const Face& face : marker.faces) {
-        const auto f = *topology.find_face(face);
-        const auto [nodes, elements] = topology.face(f);
-        inside += elements[1] >= 0 ? 1 : 0;
-        twice += elements[1] < 0 && taken[at(f)] ? 1 : 0;
-        if (elements[1] >= 0 || taken[at(f)]) continue;
-        taken[at(f)] = true;
-        patch.faces.push_back(same_direction(face, nodes) ? face : face.reversed());
-      }
-      patches.push_back(std::move(patch));
-    }
-  }
-  Patch rest{"defaultFaces", {}};
-  for (Index f = 0; f < topology.face_count(); ++f) {
-    const auto [nodes, elements] = topology.face(f);
-    if (elements[1] < 0 && !taken[at(f)]) rest.faces.push_back(nodes);
-  }
-  if (!rest.faces.empty()) {
-    warnings.push_back(std::to_string(rest.faces.size()) +
-                       " boundary faces in no marker are written as the patch defaultFaces");
-    patches.push_back(std::move(rest));
-  }
-  if (inside > 0) {
-    warnings.push_back(std::to_string(inside) +
-                       " faces of markers lie between two cells: patches cannot hold them");
-  }
-  if (twice > 0)
-    warnings.push_back(std::to_string(twice) + " faces in a second marker are in the first only");
-  return patches;
-}
-
-/// Replaces blanks and punctuation in names, which would end a word of OpenFOAM.
-void make_names_safe(std::vector<Patch>& patches, std::vector<std::string>& warnings) {
-  std::set<std::string> taken;
-  for (Patch& patch : patches) {
-    std::string name = patch.name.empty() ? "unnamed" : as_word(patch.name, "\"'/;{}()[]$");
-    while (!taken.insert(name).second) name += '_';
-    if (name != patch.name) {
-      warnings.push_back("marker \"" + patch.name + "\" is written as \"" + name +
-                         "\": OpenFOAM allows no such name");
-    }
-    patch.name = name;
-  }
-}
-
-std::string header(const char* type, const char* object) {
+std::string header(const char* type, const char* object, const MeshPlace& place) {
   return std::string(
              "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       ") +
-         type + ";\n    location    \"constant/polyMesh\";\n    object      " + object + ";\n}\n\n";
+         type + ";\n    location    \"" + location_of(place) + "\";\n    object      " + object +
+         ";\n}\n\n";
 }
 
-void write_points(std::ostream& stream, const Mesh& mesh, const std::string& head,
-                  const std::string& end) {
+void write_new_points(std::ostream& stream, const NewMesh& mesh, const MeshPlace& place) {
   TextWriter out(stream);
-  out << head << mesh.coordinates.size() << "\n(\n";
-  for (Index i = 0; i < mesh.coordinates.size(); ++i) {
-    const Vec3 p = mesh.coordinates.xyz(i);
-    out << '(' << p.x() << ' ' << p.y() << ' ' << p.z() << ")\n";
-  }
-  out << ')' << end;
+  out << header("vectorField", "points", place);
+  write_points(out, mesh.xyz, {});
+  out << '\n';
 }
 
-void write_faces(std::ostream& stream, const std::vector<Face>& faces) {
+void write_faces(std::ostream& stream, const NewMesh& mesh, const MeshPlace& place) {
   TextWriter out(stream);
-  out << header("faceList", "faces") << faces.size() << "\n(\n";
-  for (const Face& face : faces) {
+  out << header("faceList", "faces", place) << mesh.faces.size() << "\n(\n";
+  for (const Face& face : mesh.faces) {
     out << face.size() << '(';
     for (std::size_t k = 0; k < face.size(); ++k) out << (k > 0 ? " " : "") << face[k];
     out << ")\n";
@@ -181,87 +76,164 @@ void write_faces(std::ostream& stream, const std::vector<Face>& faces) {
   out << ")\n";
 }
 
-void write_labels(std::ostream& stream, const char* object, const std::vector<Index>& labels) {
+void write_labels(std::ostream& stream, const char* object, const std::vector<Index>& labels,
+                  const MeshPlace& place) {
   TextWriter out(stream);
-  out << header("labelList", object) << labels.size() << "\n(\n";
+  out << header("labelList", object, place) << labels.size() << "\n(\n";
   for (const Index label : labels) out << label << '\n';
   out << ")\n";
 }
 
-void write_boundary(std::ostream& stream, const std::vector<Patch>& patches, std::size_t first) {
+void write_boundary(std::ostream& stream, const NewMesh& mesh, const MeshPlace& place) {
   TextWriter out(stream);
-  out << header("polyBoundaryMesh", "boundary") << patches.size() << "\n(\n";
-  for (const Patch& patch : patches) {
-    out << "    " << patch.name
-        << "\n    {\n        type            patch;\n        nFaces          " << patch.faces.size()
-        << ";\n        startFace       " << first << ";\n    }\n";
+  std::size_t first = mesh.neighbour.size();
+  out << header("polyBoundaryMesh", "boundary", place) << mesh.patches.size() << "\n(\n";
+  for (const NewPatch& patch : mesh.patches) {
+    const std::string count = std::to_string(patch.faces.size()), start = std::to_string(first);
+    std::string entry =
+        patch.entry.empty() ? "\n        type            patch;\n    " : patch.entry;
+    if (entry.find("nFaces") == std::string::npos)
+      entry += "    nFaces          0;\n        startFace       0;\n    ";
+    entry = with_entry(with_entry(entry, "nFaces", count), "startFace", start);
+    out << "    " << patch.name << "\n    {" << entry << "}\n";
     first += patch.faces.size();
   }
   out << ")\n";
 }
 
-/// The folder of an output path; made if it does not exist.
-fs::path make_folder(const fs::path& path) {
-  const fs::path plain = path.has_filename() ? path : path.parent_path();
-  fs::path folder =
-      plain.extension() == ".foam" ? plain.parent_path() / "constant" / "polyMesh" : plain;
+/// Makes the folder if it does not exist.
+void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw OutputError(folder.string() + ": cannot be made: " + error.message());
-  return folder;
 }
 
-using Write = std::function<void(std::ostream&)>;
-
-std::vector<Write> texts_of(const Details& details, const Mesh& mesh) {
-  std::vector<Write> writes{
-      [&](std::ostream& out) { write_points(out, mesh, details.texts[0], details.points_end); }};
-  for (std::size_t k = 1; k < file_names.size(); ++k)
-    writes.emplace_back([&details, k](std::ostream& out) { out << details.texts[k]; });
-  return writes;
+/// A file of a mesh to write, in place of its other variant (compressed or not), which OpenFOAM or
+/// winslow might read instead.
+OutputFile output_file(const fs::path& folder, const std::string& name, bool compressed,
+                       Write write) {
+  const fs::path plain = folder / name, packed = folder / (name + ".gz");
+  return {compressed ? packed : plain, std::move(write), {compressed ? plain : packed}};
 }
 
-std::vector<Write> new_texts(const Mesh& mesh, std::vector<std::string>& warnings) {
-  auto list = std::make_shared<FaceList>();
-  add_inner_faces(*mesh.topology, *list);
-  auto patches = std::make_shared<std::vector<Patch>>(patches_of(*mesh.topology, warnings));
-  make_names_safe(*patches, warnings);
-  const std::size_t inner = list->faces.size();
-  for (const Patch& patch : *patches) {
-    for (const Face& face : patch.faces) {
-      list->faces.push_back(face);
-      list->owner.push_back(mesh.topology->face(*mesh.topology->find_face(face)).elements[0]);
-    }
+/// Zones and the like in a folder, which are numbers of faces, cells and points: they fit no other
+/// mesh.
+std::vector<fs::path> files_beside(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const char* name : {"cellZones", "faceZones", "pointZones", "pointLevel", "cellLevel",
+                           "level0Edge", "surfaceIndex", "refinementHistory"})
+    for (const char* end : {"", ".gz"})
+      if (fs::path file = folder / (std::string(name) + end); fs::exists(file, error))
+        found.push_back(std::move(file));
+  return found;
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  return !a.empty() && fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+}
+
+std::vector<double> points_of(const Details& details, const Mesh& mesh) {
+  if (details.thin) return details.thin->points(mesh.coordinates);
+  const auto values = mesh.coordinates.values();
+  return {values.begin(), values.end()};
+}
+
+/// The points of a mesh whose nodes have moved.
+OutputFile moved_points(const Details& own, const Mesh& mesh, const MeshPlace& place,
+                        const WriteOptions& options) {
+  FoamForm form = own.mesh.points_form;
+  std::string head = own.mesh.points_head;
+  if (!place.instance.empty() && place.instance != own.place.instance)
+    head = with_entry(head, "location", '"' + location_of(place) + '"');
+  if (form.binary && !options.binary) {
+    form.binary = false;
+    head = with_entry(head, "format", "ascii");
   }
+  return output_file(place.folder(), file_names[0], own.mesh.points_compressed,
+                     [&own, &mesh, form, head](std::ostream& stream) {
+                       TextWriter out(stream);
+                       out << head;
+                       write_points(out, points_of(own, mesh), form);
+                       out << own.mesh.points_end;
+                     });
+}
+
+/// The files of a mesh whose nodes have moved: the points alone where OpenFOAM finds all others,
+/// else all.
+std::vector<OutputFile> moved_files(const Details& own, const Mesh& mesh, const MeshPlace& place,
+                                    const WriteOptions& options) {
+  const fs::path folder = place.folder();
+  std::vector<OutputFile> files{moved_points(own, mesh, place, options)};
+  const auto& kept = own.mesh.kept;
+  const bool found = std::ranges::all_of(kept.begin(), kept.begin() + 4, [&](const KeptFile& file) {
+    return same_file(find_file(place, file.name), file.path);
+  });
+  if (found) return files;
+  bool sets = false;
+  for (const KeptFile& file : kept) {
+    sets = sets || file.name.starts_with("sets/");
+    files.push_back(output_file(folder, file.name, file.compressed,
+                                [&file](std::ostream& out) { out << file.text; }));
+  }
+  if (sets) make_folder(folder / "sets");
+  for (fs::path& stale : files_beside(folder)) {
+    const bool written = std::ranges::any_of(
+        files, [&](const OutputFile& file) { return same_file(file.path, stale); });
+    if (!written) files.front().replaces.push_back(std::move(stale));
+  }
+  return files;
+}
+
+std::vector<OutputFile> new_files(const NewMesh& made, const MeshPlace& place, bool compressed) {
+  const auto mesh = std::make_shared<const NewMesh>(made);
+  const fs::path folder = place.folder();
+  const std::array<Write, 5> writes{
+      [mesh, place](std::ostream& out) { write_new_points(out, *mesh, place); },
+      [mesh, place](std::ostream& out) { write_faces(out, *mesh, place); },
+      [mesh, place](std::ostream& out) { write_labels(out, "owner", mesh->owner, place); },
+      [mesh, place](std::ostream& out) { write_labels(out, "neighbour", mesh->neighbour, place); },
+      [mesh, place](std::ostream& out) { write_boundary(out, *mesh, place); }};
+  std::vector<OutputFile> files;
+  for (std::size_t k = 0; k < writes.size(); ++k)
+    files.push_back(output_file(folder, file_names[k], compressed, writes[k]));
+  for (fs::path& stale : files_beside(folder)) files.front().replaces.push_back(std::move(stale));
+  return files;
+}
+
+void warn_of_losses(const Mesh& mesh, const Details* own, std::vector<std::string>& warnings) {
   if (!mesh.topology->regions().empty())
     warnings.emplace_back("cell zones are not written: the names of element sets are lost");
-  return {[&mesh](std::ostream& out) {
-            write_points(out, mesh, header("vectorField", "points"), "\n");
-          },
-          [list](std::ostream& out) { write_faces(out, list->faces); },
-          [list](std::ostream& out) { write_labels(out, "owner", list->owner); },
-          [list](std::ostream& out) { write_labels(out, "neighbour", list->neighbour); },
-          [patches, inner](std::ostream& out) { write_boundary(out, *patches, inner); }};
+  if (own == nullptr) return;
+  if (own->mesh.kept.size() > 4)
+    warnings.push_back(list_of(std::span(own->mesh.kept).subspan(4),
+                               [](const KeptFile& file) { return file.name; }) +
+                       " of the source do not fit the new cells and are not written");
+  if (own->roles.pairs_move)
+    warnings.emplace_back(
+        "the faces of cyclic patches are new: createPatch -overwrite puts them in order");
 }
 
 }  // namespace
 
 std::vector<OutputFile> files(const fs::path& path, const Mesh& mesh, const FormatDetails* source,
-                              const WriteOptions&, std::vector<std::string>& warnings) {
+                              const WriteOptions& options, std::vector<std::string>& warnings) {
   const auto* own = dynamic_cast<const Details*>(source);
-  const bool kept = own != nullptr && own->fits(mesh);
-  const std::vector<Write> writes = kept ? texts_of(*own, mesh) : new_texts(mesh, warnings);
-  const fs::path folder = make_folder(path);
-  const bool compressed = own != nullptr && own->compressed;
-  std::vector<OutputFile> files;
-  for (std::size_t k = 0; k < writes.size(); ++k) {
-    const fs::path plain = folder / file_names[k];
-    const fs::path packed = folder / (std::string(file_names[k]) + ".gz");
-    // Remove the other variant, which OpenFOAM or winslow might read instead.
-    files.push_back({compressed ? packed : plain, writes[k], compressed ? plain : packed});
+  const MeshPlace place = place_to_write(path, own ? &own->place : nullptr);
+  make_folder(place.folder());
+  if (own != nullptr && own->fits(mesh)) {
+    for (std::string& text : stale_pairs(*own, mesh)) warnings.push_back(std::move(text));
+    return moved_files(*own, mesh, place, options);
   }
-  if (path.extension() == ".foam") files.push_back({path, [](std::ostream&) {}, {}});
-  return files;
+  const bool plane = mesh.topology->kind() == MeshKind::plane;
+  const NewMesh made = plane ? new_thin_mesh(mesh, source, own) : new_volume_mesh(mesh, own);
+  warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
+  warn_of_losses(mesh, own, warnings);
+  if (own == nullptr && source != nullptr && source->periodic)
+    if (const std::string names = named_pairs(*source->periodic); !names.empty())
+      warnings.push_back("the periodic pairs of the source (" + names + ") are not written");
+  return new_files(made, place, own != nullptr && own->mesh.points_compressed);
 }
 
 }  // namespace winslow::io::openfoam

@@ -82,21 +82,27 @@ Source::Range Source::append(const std::filesystem::path& path) {
   if (!bytes_.empty()) bytes_ += '\n';
   const std::size_t begin = bytes_.size();
   bytes_ += other.bytes_;
-  appended_.push_back({begin, other.name_});
+  appended_.push_back({begin, other.name_, std::string::npos});
   return {begin, bytes_.size()};
+}
+
+void Source::set_binary(const Range& file, std::size_t offset) {
+  for (Part& part : appended_)
+    if (part.begin == file.begin) part.binary_from = offset;
 }
 
 std::string Source::where(std::size_t offset) const {
   if (!part_.empty()) return name_ + ": " + part_;
   offset = std::min(offset, bytes_.size());
-  std::size_t begin = 0;
+  std::size_t begin = 0, binary_from = binary_from_;
   const std::string* name = &name_;
   for (const Part& part : appended_) {
     if (part.begin > offset) break;
     begin = part.begin;
+    binary_from = part.binary_from;
     name = &part.name;
   }
-  if (begin == 0 && offset >= binary_from_) return *name + ": byte " + std::to_string(offset);
+  if (offset >= binary_from) return *name + ": byte " + std::to_string(offset - begin);
   // The end of a file that ends in a newline belongs to its last line.
   const bool at_end = offset == bytes_.size() || std::ranges::any_of(appended_, [&](const Part& p) {
                         return p.begin == offset + 1;

@@ -33,6 +33,8 @@ class Source {
   /// Marks the (first) file as binary from this offset: places are then named by byte instead of by
   /// line.
   void set_binary_from(std::size_t offset) { binary_from_ = offset; }
+  /// The same for a file that append() has read.
+  void set_binary(const Range& file, std::size_t offset);
   /// Sets the part being read, for files that have named parts ("/Base/Zone/ZoneBC" of CGNS)
   /// instead of lines. From now on places are named by this part.
   void set_part(std::string part) { part_ = std::move(part); }
@@ -54,6 +56,7 @@ class Source {
   struct Part {
     std::size_t begin;
     std::string name;
+    std::size_t binary_from = std::string::npos;
   };
   std::vector<Part> appended_;
   std::string part_;

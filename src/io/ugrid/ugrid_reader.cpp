@@ -219,6 +219,13 @@ ParsedMesh read(Source& source) {
                     details, mesh);
   }
   make_markers(markers.all(), details, mesh);
+  for (const Surface& surface : details.surfaces) {
+    // Strong symmetry about x, y or z = constant, in FUN3D's numbers.
+    const bool symmetry = surface.boundary_condition >= 6661 && surface.boundary_condition <= 6663;
+    if (symmetry && used.contains(surface.tag))
+      details.roles.symmetry.emplace_back(markers.all()[markers.find(surface.tag)].name,
+                                          std::to_string(surface.boundary_condition));
+  }
   return mesh;
 }
 

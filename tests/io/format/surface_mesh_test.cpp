@@ -86,7 +86,7 @@ TEST_CASE("surface meshes keep markers on the way through every pair of formats 
 TEST_CASE("surface meshes: a format that cannot hold them says so") {
   const TemporaryFolder folder;
   const Mesh mesh = make_mesh(lifted(square(3, Cells::quads), bowl));
-  for (const char* name : {"a.foam", "a.ugrid"})
+  for (const char* name : {"polyMesh", "a.foam", "a.ugrid"})
     CHECK_THROWS_AS(io::write_mesh(folder / name, mesh, nullptr), UsageError);
 }
 

@@ -3,44 +3,24 @@
 
 #include "io/file/atomic_file.h"
 
+#include "io/support/openfoam_cases.h"
 #include "io/support/volume_samples.h"
+#include "support/paths.h"
 
 namespace winslow::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The unit cube, as blockMesh writes it: one cell, three patches.
-const std::string points =
-    "/* a comment */\nFoamFile\n{\n    format ascii; // text\n    class vectorField;\n}\n"
-    "8\n(\n(0 0 0)\n(1 0 0)\n(0 1 0)\n(1 1 0)\n(0 0 1)\n(1 0 1)\n(0 1 1)\n(1 1 1)\n)\n// end\n";
-const std::string faces =
-    "6\n(\n4(0 4 6 2)\n4(1 3 7 5)\n4(0 1 5 4)\n4(2 6 7 3)\n4(0 2 3 1)\n4(4 5 7 6)\n)\n";
-const std::string boundary =
-    "3\n(\n    inlet { type patch; nFaces 1; startFace 0; }\n    outlet\n    {\n        type "
-    "patch;\n"
-    "        inGroups 1(out);\n        nFaces 1;\n        startFace 1;\n    }\n"
-    "    sides { type wall; nFaces 4; startFace 2; }\n)\n";
-
-fs::path write_case(const TemporaryFolder& folder, const std::string& the_points,
-                    const std::string& the_faces, const std::string& the_boundary) {
-  const fs::path mesh = folder / "constant/polyMesh";
-  fs::create_directories(mesh);
-  write_text(mesh / "points", the_points);
-  write_text(mesh / "faces", the_faces);
-  write_text(mesh / "owner", "6(0 0 0 0 0 0)");
-  write_text(mesh / "neighbour", "0()");
-  write_text(mesh / "boundary", the_boundary);
-  return mesh;
-}
+const std::string &points = cube_points, &faces = cube_faces, &boundary = cube_boundary;
 
 std::string error_of(const std::string& file, const std::string& part, const std::string& by) {
   const TemporaryFolder folder;
   const auto changed = [&](const char* name, const std::string& text) {
     return file == name ? replaced(text, part, by) : text;
   };
-  const fs::path mesh = write_case(folder, changed("points", points), changed("faces", faces),
-                                   changed("boundary", boundary));
+  const fs::path mesh = write_cube_case(folder.path(), changed("points", points),
+                                        changed("faces", faces), changed("boundary", boundary));
   try {
     io::read_mesh(mesh);
   } catch (const InputError& error) {
@@ -76,7 +56,7 @@ void check_same_cells(const Mesh& a, const Mesh& b) {
 
 TEST_CASE("OpenFOAM: a case, its folder, and a file .foam in it are the same mesh") {
   const TemporaryFolder folder;
-  const fs::path mesh = write_case(folder, points, faces, boundary);
+  const fs::path mesh = write_cube_case(folder.path());
   write_text(folder / "cube.foam", "");
   for (const fs::path& path : {mesh, folder.path(), folder / "cube.foam", folder / "constant"}) {
     CAPTURE(path);
@@ -94,7 +74,7 @@ TEST_CASE("OpenFOAM: a case, its folder, and a file .foam in it are the same mes
 
 TEST_CASE("OpenFOAM: while nodes only move, all but their places stays as it is") {
   const TemporaryFolder folder;
-  const fs::path mesh = write_case(folder, points, faces, boundary);
+  const fs::path mesh = write_cube_case(folder.path());
   io::MeshFile file = io::read_mesh(mesh);
   file.mesh.coordinates.set_xyz(7, {1.25, 1, 1});
   CHECK(io::write_mesh(mesh, file.mesh, file.details.get()).empty());
@@ -109,15 +89,16 @@ TEST_CASE("OpenFOAM: cells of every type, patches and places come back; faces ar
     Random random(8);
     const Mesh mesh = make_mesh(volume_sample(random, volumes, false));
     const TemporaryFolder folder;
-    CHECK(io::write_mesh(folder / "cube.foam", mesh, nullptr).empty());
+    CHECK(io::write_mesh(folder / "constant/polyMesh", mesh, nullptr).empty());
     const io::MeshFile file = io::read_mesh(folder / "cube.foam");
     CHECK(file.warnings.empty());
     check_same_cells(file.mesh, mesh);
     const std::string first = read_text(folder / "constant/polyMesh/faces");
+    const std::string owner = read_text(folder / "constant/polyMesh/owner");
     // Written anew, not from the texts of the source: the same order again.
-    io::write_mesh(folder / "polyMesh", file.mesh, nullptr);
-    CHECK(read_text(folder / "polyMesh/owner") == read_text(folder / "constant/polyMesh/owner"));
-    CHECK(read_text(folder / "polyMesh/faces").size() == first.size());
+    io::write_mesh(folder / "constant/polyMesh", file.mesh, nullptr);
+    CHECK(read_text(folder / "constant/polyMesh/owner") == owner);
+    CHECK(read_text(folder / "constant/polyMesh/faces").size() == first.size());
   }
 }
 
@@ -165,6 +146,105 @@ TEST_CASE("OpenFOAM: compressed files stay so, and never two of one kind") {
   CHECK(io::read_mesh(packed).mesh.coordinates == mesh.coordinates);
 }
 
+namespace {
+
+template <class Number>
+std::string raw(const std::vector<Number>& values, bool big_endian) {
+  std::string bytes;
+  for (Number value : values) {
+    std::string one(reinterpret_cast<const char*>(&value), sizeof value);
+    if (big_endian) std::reverse(one.begin(), one.end());
+    bytes += one;
+  }
+  return '(' + bytes + ')';
+}
+
+/// The cube in binary.
+template <class Label, class Scalar>
+fs::path write_binary_cube(const fs::path& root, bool big_endian) {
+  const fs::path mesh = write_cube_case(root);
+  const auto head = [&](const char* type) {
+    return std::string("FoamFile { version 2.0; format binary; class ") + type + "; arch \"" +
+           (big_endian ? "MSB" : "LSB") + ";label=" + std::to_string(8 * sizeof(Label)) +
+           ";scalar=" + std::to_string(8 * sizeof(Scalar)) + "\"; }\n\n";
+  };
+  std::vector<Scalar> xyz;
+  for (int i = 0; i < 8; ++i)
+    for (const int k : {0, 1, 2}) xyz.push_back(static_cast<Scalar>((i >> k) & 1));
+  write_text(mesh / "points", head("vectorField") + "8\n" + raw(xyz, big_endian) + "\n\n// end\n");
+  write_text(mesh / "faces", head("faceCompactList") + "7\n" +
+                                 raw<Label>({0, 4, 8, 12, 16, 20, 24}, big_endian) + "\n\n24\n" +
+                                 raw<Label>({0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4,
+                                             2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6},
+                                            big_endian) +
+                                 "\n");
+  write_text(mesh / "owner",
+             head("labelList") + "6\n" + raw<Label>({0, 0, 0, 0, 0, 0}, big_endian) + "\n");
+  write_text(mesh / "neighbour", head("labelList") + "0\n");
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("OpenFOAM: binary files are read, and points go back in the same form", Numbers,
+                   std::pair<std::int32_t, double>, std::pair<std::int64_t, double>,
+                   std::pair<std::int32_t, float>) {
+  using Label = typename Numbers::first_type;
+  using Scalar = typename Numbers::second_type;
+  for (const bool big_endian : {false, true}) {
+    CAPTURE(big_endian);
+    const TemporaryFolder folder;
+    const fs::path mesh = write_binary_cube<Label, Scalar>(folder.path(), big_endian);
+    const std::string old = read_text(mesh / "points"), old_faces = read_text(mesh / "faces");
+    io::MeshFile file = io::read_mesh(mesh);
+    CHECK(file.mesh.topology->element_type(0) == ElementType::hexahedron);
+    CHECK(file.mesh.coordinates.xyz(5) == Vec3(1, 0, 1));
+    io::write_mesh(mesh, file.mesh, file.details.get());
+    CHECK(read_text(mesh / "points") == old);
+    file.mesh.coordinates.set_xyz(7, {1.25, 1, 1});
+    io::write_mesh(mesh, file.mesh, file.details.get());
+    CHECK(read_text(mesh / "points").size() == old.size());
+    CHECK(read_text(mesh / "faces") == old_faces);
+    CHECK(io::read_mesh(mesh).mesh.coordinates == file.mesh.coordinates);
+    io::write_mesh(mesh, file.mesh, file.details.get(), {.keep_encoding = false});
+    CHECK_CONTAINS(read_text(mesh / "points"), "format ascii;");
+    CHECK_CONTAINS(read_text(mesh / "points"), "\n(1.25 1 1)\n");
+    CHECK(io::read_mesh(mesh).mesh.coordinates == file.mesh.coordinates);
+  }
+}
+
+TEST_CASE("OpenFOAM: damaged binary files name the byte") {
+  const TemporaryFolder folder;
+  const fs::path mesh = write_binary_cube<std::int32_t, double>(folder.path(), false);
+  const std::string owner = read_text(mesh / "owner");
+  write_text(mesh / "owner", owner.substr(0, owner.size() - 10));
+  CHECK_THROWS_WITH_AS(io::read_mesh(mesh), doctest::Contains("owner: byte "), InputError);
+  write_text(mesh / "owner", "6{0}");
+  CHECK(io::read_mesh(mesh).mesh.topology->element_count() == 1);
+  write_text(mesh / "owner", "2000000000{0}");
+  CHECK_THROWS_AS(io::read_mesh(mesh), InputError);
+}
+
+TEST_CASE("OpenFOAM: cyclic patches are pairs, planes of symmetry and groups have their roles") {
+  const io::MeshFile file = io::read_mesh(test_data("openfoam/cyclic"));
+  REQUIRE(file.details->periodic->pairs.size() == 1);
+  const GivenPairs& pairs = file.details->periodic->pairs[0];
+  CHECK(pairs.fault.empty());
+  CHECK(pairs.first == "cycA");
+  CHECK(pairs.second == "cycB");
+  CHECK(pairs.pairs.size() > 20);
+  for (const auto& [node, image] : pairs.pairs) {
+    const Vec3 way = file.mesh.coordinates.xyz(image) - file.mesh.coordinates.xyz(node);
+    CHECK((way - Vec3(0, 1, 0)).norm() < 1e-14);
+  }
+  const io::MarkerRoles& roles = file.details->roles;
+  CHECK(roles.pairs_move);
+  REQUIRE(roles.symmetry.size() == 1);
+  CHECK(roles.symmetry[0] == std::pair<std::string, std::string>("top", "symmetryPlane"));
+  CHECK(roles.groups.at("b") == std::vector<std::string>{"bafM", "bafS"});
+  CHECK(roles.groups.at("wall") == std::vector<std::string>{"walls.low", "bafM", "bafS"});
+}
+
 TEST_CASE("OpenFOAM: boundary faces in no marker get a patch, names are made safe") {
   MeshData data = cube(1, Volumes::hexahedra);
   data.markers.erase(data.markers.begin() + 1);
@@ -192,9 +272,9 @@ TEST_CASE("OpenFOAM: polyhedra are refused with their number, and other bad inpu
   CHECK_CONTAINS(error_of("faces", "6\n(", "7\n("),
                  "faces:9: found ')', expected the number of po");
   CHECK_CONTAINS(error_of("points", "(1 1 1)", "(1 nan 1)"),
-                 "points:16: found nan as a coordinate");
-  CHECK_CONTAINS(error_of("points", "format ascii", "format binary"),
-                 "points:4: found 'binary', expected ascii");
+                 "points:17: found nan as a coordinate");
+  CHECK_CONTAINS(error_of("points", "format ascii", "format octal"),
+                 "points:4: found 'octal', expected ascii or binary");
   CHECK_CONTAINS(error_of("points", "*/", ""), "points:1: found a comment without end");
   CHECK_CONTAINS(
       error_of("boundary", "startFace 2", "startFace 3"),
@@ -206,7 +286,7 @@ TEST_CASE("OpenFOAM: polyhedra are refused with their number, and other bad inpu
                        doctest::Contains("constant/polyMesh: found no file points"), InputError);
   CHECK_THROWS_WITH_AS(io::read_mesh(folder.path()), doctest::Contains("it is a directory"),
                        InputError);
-  const fs::path mesh = write_case(folder, points, faces, boundary);
+  const fs::path mesh = write_cube_case(folder.path());
   fs::remove(mesh / "owner");
   CHECK_THROWS_WITH_AS(io::read_mesh(mesh), doctest::Contains("polyMesh: found no file owner"),
                        InputError);

@@ -11,11 +11,7 @@ namespace {
 /// The stamp of a mesh in a single file; none for a mesh in several files, each of which may
 /// change.
 std::optional<FileStamp> whole_stamp(const std::filesystem::path& file) {
-  const auto formats = io::mesh_formats();
-  const bool folder = std::ranges::any_of(formats, [&](const io::MeshFormat* format) {
-    return format->find_folder != nullptr && !format->find_folder(file).empty();
-  });
-  return folder ? std::nullopt : stamp_of(file);
+  return io::format_of_folder(file) ? std::nullopt : stamp_of(file);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "core/geometry/periodic_pairs.h"
 #include "core/strategy/smooth_options.h"
 #include "gui/document/jobs/run_settings.h"
+#include "io/tables/file_defaults.h"
 
 namespace winslow::gui {
 
@@ -85,6 +86,11 @@ void SolverSettings::forget_mesh() {
   reference_.drop();
   const Document* document = mesh_.document();
   if (document && is_surface(*document->state().mesh.topology)) settle_for_surface(smooth_);
+  if (!document || document->source().details == nullptr) return;
+  const io::MeshFile file{
+      document->state().mesh, document->source().details->format, document->source().details, {}};
+  if (const std::string said = io::add_file_defaults(smooth_, {}, file); !said.empty())
+    messages_.remark("Slides and moves together as the file says", {said});
 }
 
 bool SolverSettings::poll() {

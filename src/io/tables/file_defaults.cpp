@@ -1,0 +1,123 @@
+#include "io/tables/file_defaults.h"
+
+#include "core/error.h"
+#include "core/geometry/sliding_boundary.h"
+#include "core/strategy/slide_options.h"
+#include "core/strategy/sliding.h"
+#include "io/text/source.h"
+
+namespace winslow::io {
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool contains(std::span<const std::string> names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+void expand(Names& names, const MarkerRoles& roles, const Topology& topology) {
+  Names expanded;
+  for (const std::string& name : names) {
+    const auto group = roles.groups.find(name);
+    const bool is_group = group != roles.groups.end() && !topology.markers().find(name);
+    for (const std::string& marker : is_group ? group->second : Names{name})
+      if (!is_group || !contains(expanded, marker)) expanded.push_back(marker);
+  }
+  names = std::move(expanded);
+}
+
+/// Whether a node of a marker can slide.
+bool can_slide(const Mesh& mesh, const std::string& marker, const SlideOptions& slide) {
+  FeatureRules rules;
+  rules.angle = slide.feature_angle;
+  const Names names{marker};
+  try {
+    const auto boundary = SlidingBoundary::find(*mesh.topology, mesh.coordinates, names, rules);
+    return !boundary.parts.empty();
+  } catch (const UsageError&) {
+    return false;
+  }
+}
+
+std::string listed(const Names& names) {
+  return list_of(names, [](const std::string& name) { return name; });
+}
+
+/// Adds the markers that slide; returns them with the file's words.
+Names add_sliding(SlideOptions& slide, std::span<const std::string> moving, const MeshFile& file) {
+  Names added;
+  for (const auto& [name, word] : file.details->roles.symmetry) {
+    const bool taken = contains(slide.markers, name) || contains(slide.fixed, name) ||
+                       contains(slide.periodic, name) || contains(moving, name);
+    if (taken || !file.mesh.topology->markers().find(name) || !can_slide(file.mesh, name, slide))
+      continue;
+    slide.markers.push_back(name);
+    added.push_back(name + " (" + word + ")");
+  }
+  return added;
+}
+
+/// Adds the pairs of the file; returns them. faults: of those that cannot be used.
+Names add_pairs(SlideOptions& slide, const MeshFile& file, Names& faults) {
+  Names added;
+  if (!file.details->roles.pairs_move || !file.details->periodic || slide.periodic_from_file)
+    return added;
+  for (const GivenPairs& given : file.details->periodic->pairs) {
+    if (contains(slide.fixed, given.first) || contains(slide.fixed, given.second)) continue;
+    if (!given.fault.empty()) {
+      faults.push_back(given.first + " and " + given.second + " stay: " + given.fault);
+      for (const std::string& name : {given.first, given.second}) slide.fixed.push_back(name);
+    } else if (!contains(slide.periodic, given.first) && !given.pairs.empty()) {
+      added.push_back(given.first + " and " + given.second);
+    }
+  }
+  slide.periodic_from_file = !added.empty();
+  return added;
+}
+
+}  // namespace
+
+void expand_groups(Command& command, const MarkerRoles& roles, const Topology& topology) {
+  if (roles.groups.empty()) return;
+  const auto replace = [&](Names& names) { expand(names, roles, topology); };
+  std::visit(
+      [&](auto& c) {
+        if constexpr (requires { c.markers; }) {
+          replace(c.markers);
+        } else if constexpr (requires { c.bodies; }) {
+          for (MovingBody& body : c.bodies) replace(body.markers);
+        } else if constexpr (requires { c.layers.walls; }) {
+          for (LayerWall& wall : c.layers.walls) replace(wall.markers);
+        }
+      },
+      command);
+  if (SmoothOptions* smooth = smooth_options(command))
+    for (Names* names : {&smooth->slide.markers, &smooth->slide.fixed, &smooth->slide.held_markers})
+      replace(*names);
+}
+
+std::string add_file_defaults(SmoothOptions& smooth, std::span<const std::string> moving,
+                              const MeshFile& file) {
+  if (!file.details || !what_holds_footholds(smooth).empty()) return {};
+  Names faults;
+  const Names pairs = add_pairs(smooth.slide, file, faults);
+  const Names sliding = add_sliding(smooth.slide, moving, file);
+  Names said;
+  if (!sliding.empty())
+    said.push_back(listed(sliding) + (sliding.size() == 1 ? " slides" : " slide"));
+  if (!pairs.empty()) said.push_back(listed(pairs) + " move together");
+  std::string text =
+      said.empty() ? "" : "As the file says, " + list_of(said, [](const std::string& part) {
+                            return part;
+                          }) + "; --fixed NAME holds one of them";
+  for (const std::string& fault : faults) text += (text.empty() ? "" : "; ") + fault;
+  return text;
+}
+
+std::string add_file_defaults(Command& command, const MeshFile& file) {
+  const std::vector<std::string> moving = markers_of(command);
+  SmoothOptions* smooth = smooth_options(command);
+  return smooth ? add_file_defaults(*smooth, moving, file) : std::string();
+}
+
+}  // namespace winslow::io
