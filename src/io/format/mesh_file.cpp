@@ -113,30 +113,32 @@ bool is_mended(const MeshError& error) {
 /// Makes the mesh of a file. A mesh to be shown need not be sound.
 void build_mesh(const Source& source, const ReadOptions& options, ParsedMesh& parsed,
                 MeshFile& file) {
+  std::size_t place = 0;
+  std::string fault;
   try {
-    file.mesh = winslow::make_mesh(parsed.data, &file.warnings);
+    file.mesh = make_mesh(parsed.data, &file.warnings);
     return;
   } catch (const MeshError& error) {
-    const std::size_t place = place_of(error, parsed.where);
+    place = place_of(error, parsed.where);
     const bool mends = options.defects != Defects::repair && is_mended(error);
-    const std::string hint = mends ? "; --repair mends it" : "";
-    if (options.defects != Defects::show) source.fail(place, error.what() + hint);
-    file.defective = true;
-    file.warnings.push_back(source.place(place) + ": " + error.what() +
-                            ": shown all the same; smooth and move refuse such a mesh" + hint);
+    fault = error.what() + std::string(mends ? "; --repair mends it" : "");
   }
-  try {
-    file.mesh = {Topology::build(parsed.data), parsed.data.coordinates};
-    return;
-  } catch (const MeshError&) {
-    for (const std::string& text : leave_out_defects(parsed, source))
-      file.warnings.push_back("to show the mesh: " + text);
-  }
-  try {
-    file.mesh = {Topology::build(parsed.data), parsed.data.coordinates};
-  } catch (const MeshError& error) {
-    source.fail(place_of(error, parsed.where), error.what());
-  }
+  if (options.defects != Defects::show) source.fail(place, fault);
+  file.defective = true;
+  file.warnings.push_back(source.place(place) + ": " + fault +
+                          "; shown all the same, but smooth and move refuse such a mesh");
+  const auto built = [&] {
+    try {
+      file.mesh = {Topology::build(parsed.data), parsed.data.coordinates};
+      return true;
+    } catch (const MeshError&) {
+      return false;
+    }
+  };
+  if (built()) return;
+  for (const std::string& text : leave_out_defects(parsed, source))
+    file.warnings.push_back("to show the mesh: " + text);
+  if (!built()) source.fail(place, fault);
 }
 
 /// A mesh file before its content is read.
@@ -311,8 +313,11 @@ std::vector<std::string> write_mesh_zones(const std::filesystem::path& path,
   check_dimension(path, *zones.front().mesh->topology, *format);
   const FormatDetails* details = zones.front().details;
   const bool as_source = details != nullptr && details->format == format;
-  const bool all_zones =
-      format->write_zones && as_source && !options.zone_alone && !details->changed;
+  const bool repaired = std::ranges::any_of(
+      zones, [](const MeshZone& zone) { return zone.details != nullptr && zone.details->changed; });
+  if (zones.size() > 1 && repaired)
+    throw UsageError(path.string() + ": a repaired zone is a new mesh; choose one with --zone N");
+  const bool all_zones = format->write_zones && as_source && !options.zone_alone && !repaired;
   if (zones.size() > 1 && !all_zones) {
     throw UsageError(path.string() + ": a " + std::string(format->title) +
                      " file cannot hold several zones; choose one with --zone N");
