@@ -19,8 +19,10 @@ void note_table(const json& command, const std::filesystem::path& folder,
                 std::vector<std::string>& tables) {
   for (const char* key : {"displacements", "positions"}) {
     const auto table = command.find(key);
-    if (table != command.end() && table->is_string())
-      tables.push_back((folder / table->get<std::string>()).string());
+    if (table == command.end() || !table->is_object()) continue;
+    const auto file = table->find("file");
+    if (file != table->end() && file->is_string())
+      tables.push_back((folder / file->get<std::string>()).string());
   }
 }
 

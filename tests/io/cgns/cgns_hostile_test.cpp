@@ -1,5 +1,7 @@
 #ifdef WINSLOW_HAS_CGNS
 
+#include <dlfcn.h>
+
 #include <ctime>
 
 #include "io/cgns/cgns.h"
@@ -54,6 +56,57 @@ void write_squares(const std::filesystem::path& path, int count, io::cgns::Conta
   write_text(path, io::cgns::write_tree(*root, container));
 }
 
+/// Replaces attributes by means of HDF5, whose headers need not be there.
+class Hdf5Editor {
+ public:
+  enum class Kind { integer, variable, several, longer, none };
+
+  void replace(const std::filesystem::path& file, const char* group, const char* name, Kind kind) {
+    const Id open = call<Id>("H5Fopen", file.c_str(), 1U /* to write */, Id{0});
+    const Id place = call<Id>("H5Gopen2", open, group, Id{0});
+    REQUIRE(call<int>("H5Adelete", place, name) >= 0);
+    if (kind != Kind::none) add(place, name, kind);
+    call<int>("H5Gclose", place);
+    REQUIRE(call<int>("H5Fclose", open) >= 0);
+  }
+
+ private:
+  using Id = std::int64_t;
+
+  void add(Id place, const char* name, Kind kind) {
+    const Id text = call<Id>("H5Tcopy", *symbol<Id*>("H5T_C_S1_g"));
+    const std::size_t size = kind == Kind::variable ? ~std::size_t{0} : 60;
+    call<int>("H5Tset_size", text, size);
+    const Id type = kind == Kind::integer ? *symbol<Id*>("H5T_NATIVE_INT32_g") : text;
+    const unsigned long long two = 2;
+    const Id space = kind == Kind::several
+                         ? call<Id>("H5Screate_simple", 1, &two, static_cast<void*>(nullptr))
+                         : call<Id>("H5Screate", 0);
+    const Id attribute = call<Id>("H5Acreate2", place, name, type, space, Id{0}, Id{0});
+    const std::string letters(120, 'x');
+    const char* pointer = letters.c_str();
+    const int number = 7;
+    const void* value = letters.c_str();
+    if (kind == Kind::variable) value = &pointer;
+    if (kind == Kind::integer) value = &number;
+    REQUIRE(call<int>("H5Awrite", attribute, type, value) >= 0);
+    call<int>("H5Aclose", attribute);
+    call<int>("H5Sclose", space);
+    call<int>("H5Tclose", text);
+  }
+
+  template <class Symbol>
+  static Symbol symbol(const char* name) {
+    void* address = ::dlsym(RTLD_DEFAULT, name);
+    REQUIRE_MESSAGE(address != nullptr, name);
+    return reinterpret_cast<Symbol>(address);
+  }
+  template <class Result, class... Values>
+  static Result call(const char* name, Values... values) {
+    return symbol<Result (*)(Values...)>(name)(values...);
+  }
+};
+
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 #ifdef WINSLOW_ADDRESS_SANITIZER
@@ -65,14 +118,36 @@ constexpr double slower = 1;
 }  // namespace
 
 TEST_CASE("CGNS: attributes of HDF5 that libcgns would copy without a look are refused") {
-  CHECK(
-      refusal_of(test_data("int_type.h5")) ==
-      ": /: found the attribute \"type\" as a whole number, expected a string of fixed length, as "
-      "libcgns has it");
-  CHECK_CONTAINS(refusal_of(test_data("vlen_type.h5")),
-                 "the attribute \"type\" as a string of variable length");
+  // The first two are no files of CGNS in any case.
+  CHECK(refusal_of(test_data("int_type.h5")) ==
+        ": found an HDF5 file without the nodes of CGNS, expected a CGNS file");
+  CHECK(refusal_of(test_data("vlen_type.h5")) ==
+        ": found an HDF5 file without the nodes of CGNS, expected a CGNS file");
   CHECK_CONTAINS(refusal_of(test_data("long_label.cgns")),
                  "found the attribute \"label\" with 60 characters, expected at most 32");
+}
+
+TEST_CASE("CGNS: attributes of every other kind are refused at every node") {
+  const TemporaryFolder folder;
+  const auto refusal = [&](const char* group, const char* name, Hdf5Editor::Kind kind) {
+    write_squares(folder / "a.cgns", 1, io::cgns::Container::hdf5);
+    Hdf5Editor().replace(folder / "a.cgns", group, name, kind);
+    return refusal_of(folder / "a.cgns");
+  };
+  using Kind = Hdf5Editor::Kind;
+  for (const char* name : {"name", "label", "type"}) {
+    const std::string attribute = std::string("the attribute \"") + name + '"';
+    CHECK(refusal("/Base", name, Kind::integer) ==
+          ": /Base: found " + attribute +
+              " as a whole number, expected a string of fixed length, as libcgns has it");
+    CHECK_CONTAINS(refusal("/Base", name, Kind::variable), "as a string of variable length");
+    CHECK_CONTAINS(refusal("/Base/zone000000", name, Kind::several),
+                   ": /Base/zone000000: found " + attribute + " with several values");
+    CHECK_CONTAINS(refusal("/Base/zone000000/cells", name, Kind::longer),
+                   attribute + " with 60 characters, expected at most");
+    CHECK_CONTAINS(refusal("/Base/zone000000/cells", name, Kind::none),
+                   "found no attribute \"" + std::string(name) + "\", expected one");
+  }
 }
 
 TEST_CASE("CGNS: a name or a label of 32 characters is read and written as it is") {

@@ -4,6 +4,7 @@
 
 #include "io/cgns/cgns.h"
 #include "io/cgns/library_file.h"
+#include "io/support/mutations.h"
 
 namespace winslow::test {
 namespace {
@@ -138,7 +139,7 @@ TEST_CASE("CGNS: no damaged file does anything but give a mesh or an InputError"
   for (const int container : {CG_FILE_HDF5, CG_FILE_ADF}) {
     const std::string original = square_bytes(container);
     int meshes = 0, refused = 0;
-    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    for (std::uint64_t seed = 0; seed < mutation_count(400); ++seed) {
       CAPTURE(container);
       CAPTURE(seed);
       Random random(seed);

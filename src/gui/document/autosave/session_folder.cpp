@@ -99,21 +99,22 @@ json read_manifest(const fs::path& folder) {
   return document;
 }
 
+[[noreturn]] void refuse(const char* key, const fs::path& folder) {
+  throw InputError((folder / manifest_name).string() + ": found no fitting \"" + key +
+                   "\", expected a saved session");
+}
+
 /// A value of the manifest. Throws InputError naming what is missing or of the wrong type.
 template <class Value>
 Value value_of(const json& object, const char* key, const fs::path& folder) {
-  const auto fail = [&] [[noreturn]] {
-    throw InputError((folder / manifest_name).string() + ": found no fitting \"" + key +
-                     "\", expected a saved session");
-  };
   try {
     Value value = object.at(key).get<Value>();
     if constexpr (std::is_same_v<Value, std::string>)
       // No file has such a name.
-      if (value.size() > longest_name || value.find('\0') != std::string::npos) fail();
+      if (value.size() > longest_name || value.find('\0') != std::string::npos) refuse(key, folder);
     return value;
   } catch (const json::exception&) {
-    fail();
+    refuse(key, folder);
   }
 }
 

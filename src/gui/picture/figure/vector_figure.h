@@ -34,6 +34,7 @@ struct FigureScene {
   /// Replaces polygons and lines if there are too many: pixels for the whole of the mesh's part.
   std::optional<Image> raster;
   bool wants_raster = false;      ///< there are too many polygons, or too many over one another
+  double raster_pixels = 3;       ///< how many a point should have then
   std::vector<FigureLine> marks;  ///< axes and scale
   std::vector<FigureText> texts;
 };

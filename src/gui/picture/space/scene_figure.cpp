@@ -49,7 +49,10 @@ class SceneFigure {
   FigureScene make() {
     for (const auto& part : parts_)
       for (const SpaceFill& fill : part->fills) add_fill(*part, fill);
-    figure_.wants_raster = layers() > options_.most_layers || !put_what_is_seen();
+    const bool piled = layers() > options_.most_layers;
+    figure_.wants_raster = piled || !put_what_is_seen();
+    // Every pixel of a pile is painted a thousand times.
+    if (piled) figure_.raster_pixels = 1;
     if (options_.axes) add_axes();
     if (options_.scale_bar && !camera_.in_perspective()) add_scale_bar();
     return std::move(figure_);

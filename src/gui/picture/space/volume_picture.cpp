@@ -230,7 +230,7 @@ class VolumePicture {
     how.font_size = figure.font_size;
     const std::array parts{scene};
     FigureScene drawn = figure_of_scene(parts, scene->planes, camera, how);
-    if (drawn.wants_raster) drawn.raster = raster(*scene, camera);
+    if (drawn.wants_raster) drawn.raster = raster(*scene, camera, drawn.raster_pixels);
     figure.scene = std::make_shared<const FigureScene>(std::move(drawn));
     return figure;
   }
@@ -250,11 +250,11 @@ class VolumePicture {
     return points;
   }
 
-  /// Draws what the camera sees, with several pixels per point.
-  Image raster(const SpaceScene& scene, SpaceCamera camera) const {
+  /// Draws what the camera sees, with so many pixels per point.
+  Image raster(const SpaceScene& scene, SpaceCamera camera, double finest) const {
     const std::unique_ptr<HeadlessContext> context = make_headless_context();
     const ScreenVector size = camera.viewport().size();
-    constexpr double finest = 3, largest = 4096;
+    constexpr double largest = 4096;
     const double factor = std::min(finest, largest / std::max(size.x(), size.y()));
     const auto width = static_cast<int>(std::lround(factor * size.x()));
     const auto height = static_cast<int>(std::lround(factor * size.y()));

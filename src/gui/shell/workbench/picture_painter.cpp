@@ -361,14 +361,13 @@ VectorFigure PicturePainter::space_figure(bool legend) const {
   how.scale_bar = view.scale_bar;
   if (figure.dark) how.ink = {0.86f, 0.88f, 0.92f};
   FigureScene drawn = figure_of_scene(scenes.parts, scenes.planes, camera, how);
-  if (drawn.wants_raster) drawn.raster = raster_of(camera);
+  if (drawn.wants_raster) drawn.raster = raster_of(camera, drawn.raster_pixels);
   figure.scene = std::make_shared<const FigureScene>(std::move(drawn));
   return figure;
 }
 
-/// The view of a camera as a raster image, with several pixels per point.
-Image PicturePainter::raster_of(SpaceCamera camera) const {
-  constexpr double finest = 3;
+/// The view of a camera as a raster image, with so many pixels per point.
+Image PicturePainter::raster_of(SpaceCamera camera, double finest) const {
   const ScreenVector size = camera.viewport().size();
   const double factor = std::min(finest, 2.0 * tile_side / std::max(size.x(), size.y()));
   const auto width = static_cast<int>(std::lround(factor * size.x()));

@@ -38,7 +38,7 @@ class PicturePainter : public PictureSource {
 
  private:
   VectorFigure space_figure(bool legend) const;
-  Image raster_of(SpaceCamera camera) const;
+  Image raster_of(SpaceCamera camera, double finest) const;
   struct Picture;
   std::unique_ptr<Picture> begin(const PictureSpec& spec, float scale);
   void lay_out(Picture& picture, const Bounds& visible);

@@ -127,6 +127,29 @@ TEST_CASE("a long face that is nearer in its middle alone is still ordered by wh
   CHECK(HiddenSurface(120, 20, wider).order() == std::vector<std::size_t>{1, 0});
 }
 
+TEST_CASE("a mesh that covers the page a hundred times is a raster, of fewer pixels") {
+  const Mesh mesh = LookingRig::cavity();
+  Mesh tangled = mesh;
+  // Each node inside changes its place with another one.
+  const auto inside = tangled.topology->interior_nodes();
+  for (std::size_t k = 0; 2 * k + 1 < inside.size(); ++k) {
+    const Index other = inside[inside.size() - 1 - k];
+    tangled.coordinates.set_xyz(inside[k], mesh.coordinates.xyz(other));
+    tangled.coordinates.set_xyz(other, mesh.coordinates.xyz(inside[k]));
+  }
+  VolumePictureOptions options;
+  options.width = 200;
+  options.height = 150;
+  const VectorFigure sound = volume_picture_figure(mesh, options);
+  CHECK_FALSE(sound.scene->wants_raster);
+  const VectorFigure piled = volume_picture_figure(tangled, options);
+  CHECK(piled.scene->wants_raster);
+  CHECK(piled.scene->raster_pixels == 1);
+  REQUIRE(piled.scene->raster.has_value());
+  CHECK(piled.scene->polygons.empty());
+  CHECK(piled.scene->raster->width <= options.width);
+}
+
 TEST_CASE("a volume mesh is saved as vector graphics, with its legend") {
   LookingRig rig;
   const VectorFigure figure = rig.bench->pictures().figure(true);
