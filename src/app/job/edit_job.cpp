@@ -239,7 +239,7 @@ std::vector<ZoneRun> load(EditJob& job, RunReport& run) {
   warn(job.files, warnings_of(files), run);
   for (Command& command : job.commands) expand_groups(command, files);
   std::vector<ZoneRun> zones = share_out(std::move(files), job.commands, job.files.input);
-  const std::vector<std::string> defaults = add_file_defaults(zones);
+  const std::vector<std::string> defaults = add_file_defaults(zones, job.files.config);
   if (!job.files.quiet) print_remarks(defaults);
   return zones;
 }

@@ -38,9 +38,16 @@ void add_time_flag(CLI::App& app, std::string& time) {
                           "name of its folder, as 0.5; without: that of the path, else constant");
 }
 
+void add_config_flag(CLI::App& app, std::string& config) {
+  FlagGroup(app).value("--config", config, "FILE.cfg",
+                       "Configuration file of SU2 for the mesh: markers of MARKER_SYM slide, those "
+                       "of MARKER_PERIODIC move together, unless --fixed NAME holds them");
+}
+
 void add_job_flags(CLI::App& app, JobFiles& files) {
   add_zone_flag(app, files.zone, "all that have the markers named, all zones if none is named");
   add_time_flag(app, files.time);
+  add_config_flag(app, files.config);
   FlagGroup group(app, "Output");
   group.value(
       "-o,--output", files.output, "OUT",

@@ -58,6 +58,7 @@ struct JobFiles {
   std::string input;
   int zone = 0;                ///< zone of the input; 0: all zones
   std::string time;            ///< time of the input (OpenFOAM); empty: as the path says
+  std::string config;          ///< configuration file of SU2 for the input; empty: none
   std::string reference_mesh;  ///< whose shapes motions keep; empty: the input
   std::string output;
   std::string report;       ///< JSON; "-": to the standard output; empty: none
@@ -77,7 +78,10 @@ void add_inputs(CLI::App& app, std::vector<std::string>& inputs);
 void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
 /// Declares --time.
 void add_time_flag(CLI::App& app, std::string& time);
-/// Declares --zone, --time, -o, --report, --history, --memory, --allow-inverted, --accept-partial,
+/// Declares --config.
+void add_config_flag(CLI::App& app, std::string& config);
+/// Declares --zone, --time, --config, -o, --report, --history, --memory, --allow-inverted,
+/// --accept-partial,
 /// --quiet and those of add_encoding_flags.
 void add_job_flags(CLI::App& app, JobFiles& files);
 /// Declares --reference-mesh.

@@ -66,6 +66,7 @@ class SweepSubcommand : public Subcommand {
     add_smooth_flags(app(), job_.smooth);
     add_zone_flag(app(), job_.files.zone, "the one that has the markers that move");
     add_time_flag(app(), job_.files.time);
+    add_config_flag(app(), job_.files.config);
     add_output_flags();
   }
 
