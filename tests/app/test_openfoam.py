@@ -158,6 +158,19 @@ class PlaneMeshes(FoamTest):
                          points(self.path("case/2/polyMesh/points")))
 
 
+class Configuration(ProgramTest):
+    def test_the_configuration_of_su2_names_sides_that_move_together(self):
+        self.winslow("convert", DATA.parent / "periodic_41.msh", "p.su2")
+        self.path("p.cfg").write_text("MARKER_PERIODIC= ( lower, upper, 0,0,0, 0,0,0, 0,1,0 )\n")
+        run = self.winslow("smooth", "p.su2", "-o", "a.su2", "--config", "p.cfg")
+        self.assertIn("As the file says, lower and upper move together", run.stdout)
+        self.winslow("smooth", "p.su2", "-o", "b.su2", "--periodic", "lower", "upper")
+        self.assertEqual(self.path("a.su2").read_bytes(), self.path("b.su2").read_bytes())
+        self.winslow("smooth", "p.su2", "-o", "c.su2", "--config", "p.cfg", "--fixed", "lower")
+        self.winslow("smooth", "p.su2", "-o", "d.su2")
+        self.assertEqual(self.path("c.su2").read_bytes(), self.path("d.su2").read_bytes())
+
+
 @unittest.skipUnless(HAS_FOAM and TUTORIALS.is_dir(), "needs OpenFOAM and its examples")
 class Tutorials(FoamTest):
     """Cases of OpenFOAM's own tutorials, moved with default options."""

@@ -20,6 +20,7 @@ namespace {
 std::vector<std::string> other_inputs(const EditJob& job) {
   std::vector<std::string> inputs = job.files.also_read;
   inputs.push_back(job.files.reference_mesh);
+  inputs.push_back(job.files.config);
   for (const Command& command : job.commands)
     if (const SmoothOptions* smooth = smooth_options(command))
       inputs.push_back(smooth->slide.reference);
@@ -228,6 +229,7 @@ void write_recipe(const EditJob& job) {
                 : job.files.input;
   io::Recipe written{relative(input), relative(job.files.output), job.commands, reading.zone};
   written.regions = reading.regions;
+  if (!job.files.config.empty()) written.config = relative(job.files.config);
   if (!job.files.reference_mesh.empty())
     written.reference_mesh = relative(job.files.reference_mesh);
   io::write_recipe(recipe, written);
@@ -269,7 +271,7 @@ std::vector<ZoneRun> load(EditJob& job, RunReport& run) {
   warn(job.files, warnings_of(files), run);
   for (Command& command : job.commands) expand_groups(command, files);
   std::vector<ZoneRun> zones = share_out(std::move(files), job.commands, job.files.input);
-  const std::vector<std::string> defaults = add_file_defaults(zones);
+  const std::vector<std::string> defaults = add_file_defaults(zones, job.files.config);
   if (!job.files.quiet) print_remarks(defaults);
   return zones;
 }

@@ -45,8 +45,9 @@ std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
 /// Replaces names of groups of markers in a command (io::expand_groups()).
 void expand_groups(Command& command, const std::vector<io::MeshFile>& files);
 /// Adds what the files say about their boundaries to the commands (io::add_file_defaults()).
-/// Returns a sentence for each zone and command, each sentence once.
-std::vector<std::string> add_file_defaults(std::vector<ZoneRun>& zones);
+/// config: a configuration file of SU2 that says more; empty: none. Returns a sentence for each
+/// zone and command, each sentence once.
+std::vector<std::string> add_file_defaults(std::vector<ZoneRun>& zones, const std::string& config);
 
 /// Reads the files that the commands need. A zone may lack periodic sides if another zone of the
 /// file has some. Throws what io::resolve_files() throws.

@@ -410,7 +410,7 @@ Inputs load(SweepJob& job) {
   if (zones.size() > 1)
     throw UsageError("the markers that move are in several zones of " + job.files.input +
                      ", and a sweep is of one: choose it with --zone N");
-  const std::vector<std::string> defaults = add_file_defaults(zones);
+  const std::vector<std::string> defaults = add_file_defaults(zones, job.files.config);
   if (!job.files.quiet) print_remarks(defaults);
   resolve_files(zones, io::read_reference);
   Inputs inputs{std::move(zones.front()), {}, {}};

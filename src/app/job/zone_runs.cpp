@@ -3,6 +3,7 @@
 #include "app/job/edit_job.h"
 #include "app/options/flags.h"
 #include "core/error.h"
+#include "io/su2/su2_config.h"
 #include "io/tables/file_defaults.h"
 
 namespace winslow::app {
@@ -169,11 +170,13 @@ void expand_groups(Command& command, const std::vector<io::MeshFile>& files) {
     if (file.details) io::expand_groups(command, file.details->roles, *file.mesh.topology);
 }
 
-std::vector<std::string> add_file_defaults(std::vector<ZoneRun>& zones) {
+std::vector<std::string> add_file_defaults(std::vector<ZoneRun>& zones, const std::string& config) {
   std::vector<std::string> said;
+  const io::MarkerRoles more = config.empty() ? io::MarkerRoles{} : io::su2::read_config(config);
   for (ZoneRun& zone : zones)
     for (std::optional<Command>& command : zone.commands) {
-      std::string text = command ? io::add_file_defaults(*command, zone.source) : std::string();
+      std::string text =
+          command ? io::add_file_defaults(*command, zone.source, more) : std::string();
       if (text.empty()) continue;
       if (const std::string name = zone.name(); !name.empty()) text.insert(0, name + ": ");
       if (std::ranges::find(said, text) == said.end()) said.push_back(std::move(text));

@@ -48,9 +48,16 @@ void add_reading_flags(CLI::App& app, io::ReadOptions& reading, const std::strin
       "the other way, points of no element; each is counted");
 }
 
+void add_config_flag(CLI::App& app, std::string& config) {
+  FlagGroup(app).value("--config", config, "FILE.cfg",
+                       "Configuration file of SU2 for the mesh: markers of MARKER_SYM slide, those "
+                       "of MARKER_PERIODIC move together, unless --fixed NAME holds them");
+}
+
 void add_job_flags(CLI::App& app, JobFiles& files) {
   add_reading_flags(app, files.reading,
                     "all that have the markers named, all zones if none is named");
+  add_config_flag(app, files.config);
   FlagGroup group(app, "Output");
   group.value(
       "-o,--output", files.output, "OUT",

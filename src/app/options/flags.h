@@ -61,6 +61,7 @@ inline constexpr std::string_view standard_output = "-";
 struct JobFiles {
   std::string input;
   io::ReadOptions reading;             ///< of the input; zone 0: all zones
+  std::string config;                  ///< configuration file of SU2 for the input; empty: none
   std::string reference_mesh;          ///< whose shapes motions keep; empty: the input
   std::vector<std::string> also_read;  ///< other files that are read: a recipe, tables
   std::string output;
@@ -82,8 +83,10 @@ void add_zone_flag(CLI::App& app, int& zone, const std::string& without);
 /// Declares --zone, --time, --regions and --repair. without_zone: text for the help on what happens
 /// without --zone.
 void add_reading_flags(CLI::App& app, io::ReadOptions& reading, const std::string& without_zone);
-/// Declares those of add_reading_flags, -o, --report, --history, --memory, --allow-inverted,
-/// --accept-partial, --quiet and those of add_encoding_flags.
+/// Declares --config.
+void add_config_flag(CLI::App& app, std::string& config);
+/// Declares those of add_reading_flags, --config, -o, --report, --history, --memory,
+/// --allow-inverted, --accept-partial, --quiet and those of add_encoding_flags.
 void add_job_flags(CLI::App& app, JobFiles& files);
 /// Declares --reference-mesh.
 void add_reference_mesh_flag(CLI::App& app, JobFiles& files);

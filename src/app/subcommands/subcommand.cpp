@@ -218,6 +218,8 @@ class ReplaySubcommand : public Subcommand {
     if (files_.reading.regions.empty()) files_.reading.regions = recipe.regions;
     files_.also_read = std::move(recipe.tables);
     files_.also_read.push_back(recipe_);
+    if (files_.config.empty() && !recipe.config.empty())
+      files_.config = (folder / recipe.config).string();
     if (files_.reference_mesh.empty() && !recipe.reference_mesh.empty())
       files_.reference_mesh = (folder / recipe.reference_mesh).string();
     if (files_.input.empty()) {

@@ -65,6 +65,7 @@ class SweepSubcommand : public Subcommand {
     job_.smooth = independent_of_start(job_.smooth);  // as run_series() does; for the help
     add_smooth_flags(app(), job_.smooth);
     add_reading_flags(app(), job_.files.reading, "the one that has the markers that move");
+    add_config_flag(app(), job_.files.config);
     add_output_flags();
   }
 

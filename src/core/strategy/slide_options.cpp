@@ -273,7 +273,8 @@ std::vector<GivenPairs> pairs_of_file(const SlideOptions& slide, const GivenPeri
   if (file.pairs.empty())
     throw UsageError(file.source +
                      ": found no periodic pairs in the file, expected $Periodic (Gmsh), "
-                     "PERIODIC_INDEX= (SU2) or Periodic_t (CGNS) for its markers; name the two "
+                     "PERIODIC_INDEX= (SU2), Periodic_t (CGNS) or cyclic patches (OpenFOAM) for "
+                     "its markers; name the two "
                      "markers instead");
   std::vector<GivenPairs> wanted;
   for (const GivenPairs& pair : file.pairs) {

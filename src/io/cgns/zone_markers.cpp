@@ -118,7 +118,8 @@ class MarkerMaker {
     details_.conditions[add(name, faces)].push_back(condition.name());
     auto& symmetry = details_.roles.symmetry;
     if (const std::string type = condition.text();
-        type == "BCSymmetryPlane" && std::ranges::find(symmetry, std::pair(name, type)) == symmetry.end())
+        type == "BCSymmetryPlane" &&
+        std::ranges::find(symmetry, std::pair(name, type)) == symmetry.end())
       symmetry.emplace_back(name, type);
   }
 
@@ -142,41 +143,38 @@ class MarkerMaker {
   }
 
  private:
-}
-
-/// The name, or a variant of it that no marker has.
-std::string
-unused(std::string name) const {
-  const auto taken = [&] {
-    return std::any_of(mesh_.data.markers.begin(), mesh_.data.markers.end(),
-                       [&](const Marker& marker) { return marker.name == name; });
-  };
-  while (taken()) name += '_';
-  return name;
-}
-
-/// Adds faces to the marker of that name, which is made if missing. Returns its index.
-std::size_t add(const std::string& name, const std::vector<Face>& faces) {
-  auto& markers = mesh_.data.markers;
-  const auto found = std::find_if(markers.begin(), markers.end(),
-                                  [&](const Marker& marker) { return marker.name == name; });
-  const auto m = static_cast<std::size_t>(found - markers.begin());
-  if (found == markers.end()) {
-    markers.push_back({name, static_cast<int>(m) + 1, {}});
-    details_.conditions.emplace_back();
+  /// The name, or a variant of it that no marker has.
+  std::string unused(std::string name) const {
+    const auto taken = [&] {
+      return std::any_of(mesh_.data.markers.begin(), mesh_.data.markers.end(),
+                         [&](const Marker& marker) { return marker.name == name; });
+    };
+    while (taken()) name += '_';
+    return name;
   }
-  markers[m].faces.insert(markers[m].faces.end(), faces.begin(), faces.end());
-  for (const Face& face : faces) named_.insert(face.sorted());
-  return m;
-}
 
-std::size_t indices_;
-std::string side_;  // name of a boundary side, "edge" or "face"
-const ZoneBoundary& boundary_;
-const ZoneSides& sides_;
-ParsedMesh& mesh_;
-Details& details_;
-std::set<FaceKey> named_;
+  /// Adds faces to the marker of that name, which is made if missing. Returns its index.
+  std::size_t add(const std::string& name, const std::vector<Face>& faces) {
+    auto& markers = mesh_.data.markers;
+    const auto found = std::find_if(markers.begin(), markers.end(),
+                                    [&](const Marker& marker) { return marker.name == name; });
+    const auto m = static_cast<std::size_t>(found - markers.begin());
+    if (found == markers.end()) {
+      markers.push_back({name, static_cast<int>(m) + 1, {}});
+      details_.conditions.emplace_back();
+    }
+    markers[m].faces.insert(markers[m].faces.end(), faces.begin(), faces.end());
+    for (const Face& face : faces) named_.insert(face.sorted());
+    return m;
+  }
+
+  std::size_t indices_;
+  std::string side_;  // name of a boundary side, "edge" or "face"
+  const ZoneBoundary& boundary_;
+  const ZoneSides& sides_;
+  ParsedMesh& mesh_;
+  Details& details_;
+  std::set<FaceKey> named_;
 };
 
 }  // namespace

@@ -26,6 +26,8 @@ struct MarkerRoles {
   std::vector<std::pair<std::string, std::string>> symmetry;
   /// The nodes of the file's periodic pairs move together unless their markers are held.
   bool pairs_move = false;
+  /// Two markers each that are periodic sides, whose nodes move together unless they are held.
+  std::vector<std::pair<std::string, std::string>> pairs;
   /// Names that stand for several markers.
   std::map<std::string, std::vector<std::string>> groups;
 };

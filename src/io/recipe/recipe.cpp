@@ -41,6 +41,7 @@ Recipe parse_recipe(const json& document, const std::filesystem::path& folder) {
   reader.field("zone", recipe.zone);
   if (recipe.zone < 0) throw JsonValueError("zone", "expected the number of a zone");
   reader.field("regions", recipe.regions);
+  reader.field("config", recipe.config);
   const json& commands = reader.needed("commands");
   if (!commands.is_array()) throw JsonValueError("commands", "expected a list of commands");
   for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -84,6 +85,7 @@ void write_recipe(const std::filesystem::path& path, const Recipe& recipe) {
   if (!recipe.reference_mesh.empty()) document["reference_mesh"] = recipe.reference_mesh;
   if (recipe.zone != 0) document["zone"] = recipe.zone;
   if (!recipe.regions.empty()) document["regions"] = recipe.regions;
+  if (!recipe.config.empty()) document["config"] = recipe.config;
   document["commands"] = json::array();
   const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
   for (const Command& command : recipe.commands) {

@@ -28,6 +28,8 @@ struct Recipe {
   std::vector<std::string> tables = {};
   /// Name of the cell array of the input that holds the regions; empty: one of the known names.
   std::string regions = {};
+  /// Configuration file of SU2 for the input, relative to the recipe; empty: none.
+  std::string config = {};
 };
 
 nlohmann::json to_json(const Command& command);

@@ -44,9 +44,10 @@ std::string listed(const Names& names) {
 }
 
 /// Adds the markers that slide; returns them with the file's words.
-Names add_sliding(SlideOptions& slide, std::span<const std::string> moving, const MeshFile& file) {
+Names add_sliding(SlideOptions& slide, std::span<const std::string> moving, const MeshFile& file,
+                  const MarkerRoles& roles) {
   Names added;
-  for (const auto& [name, word] : file.details->roles.symmetry) {
+  for (const auto& [name, word] : roles.symmetry) {
     const bool taken = contains(slide.markers, name) || contains(slide.fixed, name) ||
                        contains(slide.periodic, name) || contains(moving, name);
     if (taken || !file.mesh.topology->markers().find(name) || !can_slide(file.mesh, name, slide))
@@ -75,6 +76,26 @@ Names add_pairs(SlideOptions& slide, const MeshFile& file, Names& faults) {
   return added;
 }
 
+/// Adds pairs of markers that are named without their nodes.
+void add_named_pairs(SlideOptions& slide, const MeshFile& file, const MarkerRoles& roles,
+                     Names& added) {
+  const Markers& markers = file.mesh.topology->markers();
+  for (const auto& [first, second] : roles.pairs) {
+    const bool taken = std::ranges::any_of(std::array{first, second}, [&](const std::string& name) {
+      return contains(slide.fixed, name) || contains(slide.periodic, name) ||
+             contains(slide.markers, name) || !markers.find(name);
+    });
+    const bool known =
+        slide.periodic_from_file && file.details->periodic &&
+        std::ranges::any_of(file.details->periodic->pairs, [&](const GivenPairs& of) {
+          return of.first == first || of.second == first;
+        });
+    if (taken || known) continue;
+    slide.periodic.insert(slide.periodic.end(), {first, second});
+    added.push_back(first + " and " + second);
+  }
+}
+
 }  // namespace
 
 void expand_groups(Command& command, const MarkerRoles& roles, const Topology& topology) {
@@ -97,11 +118,15 @@ void expand_groups(Command& command, const MarkerRoles& roles, const Topology& t
 }
 
 std::string add_file_defaults(SmoothOptions& smooth, std::span<const std::string> moving,
-                              const MeshFile& file) {
+                              const MeshFile& file, const MarkerRoles& more) {
   if (!file.details || !what_holds_footholds(smooth).empty()) return {};
   Names faults;
-  const Names pairs = add_pairs(smooth.slide, file, faults);
-  const Names sliding = add_sliding(smooth.slide, moving, file);
+  Names pairs = add_pairs(smooth.slide, file, faults);
+  add_named_pairs(smooth.slide, file, more, pairs);
+  Names sliding;
+  for (const MarkerRoles* roles : {&file.details->roles, &more})
+    for (std::string& name : add_sliding(smooth.slide, moving, file, *roles))
+      sliding.push_back(std::move(name));
   Names said;
   if (!sliding.empty())
     said.push_back(listed(sliding) + (sliding.size() == 1 ? " slides" : " slide"));
@@ -114,10 +139,10 @@ std::string add_file_defaults(SmoothOptions& smooth, std::span<const std::string
   return text;
 }
 
-std::string add_file_defaults(Command& command, const MeshFile& file) {
+std::string add_file_defaults(Command& command, const MeshFile& file, const MarkerRoles& more) {
   const std::vector<std::string> moving = markers_of(command);
   SmoothOptions* smooth = smooth_options(command);
-  return smooth ? add_file_defaults(*smooth, moving, file) : std::string();
+  return smooth ? add_file_defaults(*smooth, moving, file, more) : std::string();
 }
 
 }  // namespace winslow::io

@@ -17,12 +17,13 @@ namespace winslow::io {
 void expand_groups(Command& command, const MarkerRoles& roles, const Topology& topology);
 
 /// Lets the markers slide that the file calls planes of symmetry, and the pairs move together that
-/// it calls periodic, unless a marker is in slide.fixed, slides or is periodic already, or moves.
-/// Does nothing for equations that know no geometry of the boundary. Returns a sentence on what was
-/// added, and on pairs that cannot be used: these are fixed. Empty: nothing was added.
+/// it calls periodic, and those that `more` does (the configuration of a solver), unless a marker
+/// is in slide.fixed, slides or is periodic already, or moves. Does nothing for equations that know
+/// no geometry of the boundary. Returns a sentence on what was added, and on pairs that cannot be
+/// used: these are fixed. Empty: nothing was added.
 std::string add_file_defaults(SmoothOptions& smooth, std::span<const std::string> moving,
-                              const MeshFile& file);
+                              const MeshFile& file, const MarkerRoles& more = {});
 /// The same for a command; does nothing for one that does not smooth.
-std::string add_file_defaults(Command& command, const MeshFile& file);
+std::string add_file_defaults(Command& command, const MeshFile& file, const MarkerRoles& more = {});
 
 }  // namespace winslow::io

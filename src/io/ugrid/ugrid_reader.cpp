@@ -219,7 +219,7 @@ ParsedMesh read(Source& source) {
                     details, mesh);
   }
   make_markers(markers.all(), details, mesh);
-  for (const Surface& surface : details.surfaces) {
+  for (const Surface& surface : details.mapbc.surfaces) {
     // Strong symmetry about x, y or z = constant, in FUN3D's numbers.
     const bool symmetry = surface.boundary_condition >= 6661 && surface.boundary_condition <= 6663;
     if (symmetry && used.contains(surface.tag))

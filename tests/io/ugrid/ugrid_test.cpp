@@ -33,6 +33,8 @@ TEST_CASE("UGRID: elements, surfaces by number, their names from the file beside
   CHECK(topology.markers()[0].name == "roof");
   CHECK(topology.markers()[0].tag == 7);
   CHECK(topology.markers()[1].name == "floor");
+  CHECK(file.details->roles.symmetry ==
+        std::vector<std::pair<std::string, std::string>>{{"floor", "6662"}});
   CHECK(topology.markers()[2].faces[0] == Face(0, 1, 5, 4));
   io::write_mesh(folder / "b.ugrid", file.mesh, file.details.get());
   CHECK(read_text(folder / "b.ugrid") == grid);

@@ -1,6 +1,7 @@
 #include "gui/document/session/solver_settings.h"
 
 #include "gui/support/session_parts.h"
+#include "support/paths.h"
 
 namespace winslow::gui::test {
 
@@ -38,6 +39,15 @@ TEST_CASE("what was set for one mesh is forgotten for the next") {
   CHECK_FALSE(parts.settings.smooth_options().slide.given());
   CHECK_FALSE(parts.settings.smooth_options().keep_outside.given());
   CHECK(parts.settings.smooth_options().tolerance == 1e-3);
+}
+
+TEST_CASE("a mesh opens with what its file says of its boundary") {
+  SessionParts parts(ring_mesh());
+  parts.mesh.open(
+      std::make_unique<Document>(Document::load(winslow::test::test_data("openfoam/cyclic"))));
+  parts.settings.forget_mesh();
+  CHECK(parts.settings.smooth_options().slide.markers == std::vector<std::string>{"top"});
+  CHECK(parts.settings.smooth_options().slide.periodic_from_file);
 }
 
 TEST_CASE("an override of a node is taken back and made again, until a command begins") {
