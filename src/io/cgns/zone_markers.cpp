@@ -108,7 +108,8 @@ class MarkerMaker {
     details_.conditions[add(name, faces)].push_back(condition.name());
     auto& symmetry = details_.roles.symmetry;
     if (const std::string type = condition.text();
-        type == "BCSymmetryPlane" && std::ranges::find(symmetry, std::pair(name, type)) == symmetry.end())
+        type == "BCSymmetryPlane" &&
+        std::ranges::find(symmetry, std::pair(name, type)) == symmetry.end())
       symmetry.emplace_back(name, type);
   }
 
