@@ -17,6 +17,8 @@ std::vector<FileKind> mesh_kinds(std::optional<MeshKind> to_write) {
   for (const io::MeshFormat* format : io::mesh_formats()) {
     if (!format->missing.empty()) continue;
     if (to_write && !format->can_write(*to_write)) continue;
+    // Meshes that are folders have no extension: their names are typed.
+    if (to_write && format->folder_to_write) continue;
     const std::string extension = '.' + std::string(format->name);
     kinds.front().extensions.push_back(extension);
     kinds.push_back({std::string(format->title), {extension}});

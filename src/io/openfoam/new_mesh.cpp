@@ -188,7 +188,8 @@ class Extrusion {
   std::vector<bool> axis_nodes() const {
     std::vector<bool> on(at(topology_.node_count()), false);
     if (thin_ == nullptr || !thin_->is_wedge()) return on;
-    for (const auto& [name, why] : source_->roles.symmetry) {
+    for (const auto& role : source_->roles.symmetry) {
+      const std::string& name = role.first;
       const auto marker = topology_.markers().find(name);
       const bool axis = std::ranges::none_of(source_->mesh.patches, [&](const Patch& patch) {
         return patch.name == name && patch.has_faces();

@@ -65,7 +65,8 @@ MarkerRoles read_config(const std::filesystem::path& path) {
     } else if (option.name == "MARKER_PERIODIC") {
       const std::vector<std::string> words = words_of(source, option);
       if (words.size() % each != 0)
-        source.fail(option.place, "MARKER_PERIODIC= with " + std::to_string(words.size()) + " words",
+        source.fail(option.place,
+                    "MARKER_PERIODIC= with " + std::to_string(words.size()) + " words",
                     "two markers and nine numbers for each pair");
       for (std::size_t k = 0; k < words.size(); k += each)
         roles.pairs.emplace_back(words[k], words[k + 1]);

@@ -80,7 +80,8 @@ Names add_pairs(SlideOptions& slide, const MeshFile& file, Names& faults) {
 void add_named_pairs(SlideOptions& slide, const MeshFile& file, const MarkerRoles& roles,
                      Names& added) {
   const Markers& markers = file.mesh.topology->markers();
-  for (const auto& [first, second] : roles.pairs) {
+  for (const auto& sides : roles.pairs) {
+    const std::string &first = sides.first, &second = sides.second;
     const bool taken = std::ranges::any_of(std::array{first, second}, [&](const std::string& name) {
       return contains(slide.fixed, name) || contains(slide.periodic, name) ||
              contains(slide.markers, name) || !markers.find(name);
