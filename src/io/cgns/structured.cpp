@@ -1,5 +1,6 @@
 #include "io/cgns/structured.h"
 
+#include <Eigen/Geometry>
 #include <cstdlib>
 
 #include "io/cgns/zone_markers.h"

@@ -1,5 +1,6 @@
 #include "io/openfoam/new_mesh.h"
 
+#include <Eigen/Geometry>
 #include <set>
 #include <tuple>
 

@@ -125,7 +125,7 @@ TEST_CASE("of files that belong together none is replaced unless all are written
   write_text(folder / "b.gz", "to go");
   std::vector<io::OutputFile> files{
       {folder / "a", [](std::ostream& out) { out << "new a"; }},
-      {folder / "b", [](std::ostream&) { throw OutputError("no"); }, folder / "b.gz"}};
+      {folder / "b", [](std::ostream&) { throw OutputError("no"); }, {folder / "b.gz"}}};
   CHECK_THROWS_AS(io::write_atomically(files), OutputError);
   CHECK(read_text(folder / "a") == "old a");
   CHECK(read_text(folder / "b") == "old b");

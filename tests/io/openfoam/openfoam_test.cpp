@@ -206,7 +206,9 @@ TEST_CASE_TEMPLATE("OpenFOAM: binary files are read, and points go back in the s
     CHECK(read_text(mesh / "points").size() == old.size());
     CHECK(read_text(mesh / "faces") == old_faces);
     CHECK(io::read_mesh(mesh).mesh.coordinates == file.mesh.coordinates);
-    io::write_mesh(mesh, file.mesh, file.details.get(), {.keep_encoding = false});
+    io::WriteOptions as_text;
+    as_text.keep_encoding = false;
+    io::write_mesh(mesh, file.mesh, file.details.get(), as_text);
     CHECK_CONTAINS(read_text(mesh / "points"), "format ascii;");
     CHECK_CONTAINS(read_text(mesh / "points"), "\n(1.25 1 1)\n");
     CHECK(io::read_mesh(mesh).mesh.coordinates == file.mesh.coordinates);
