@@ -392,9 +392,12 @@ std::string quoted(const GivenPairs& given) {
 
 }  // namespace
 
-void print_pairs(std::ostream& out, const GivenPeriodicity& periodicity, const Mesh& mesh) {
+void print_pairs(std::ostream& out, const GivenPeriodicity& periodicity, bool by_default,
+                 const Mesh& mesh) {
   if (periodicity.pairs.empty()) return;
-  out << "\nPeriodic in the file (--periodic-from-file)\n";
+  out << "\nPeriodic in the file ("
+      << (by_default ? "move together; --fixed NAME gives a pair up" : "--periodic-from-file")
+      << ")\n";
   for (const GivenPairs& given : periodicity.pairs) {
     out << "  " << printable(quoted(given)) << ": ";
     if (!given.fault.empty()) {

@@ -53,8 +53,10 @@ nlohmann::json describe_walls(const WallReport* before, const WallReport& now, c
 /// most `limit`, those with the smallest fraction of the requested thickness first. x: #nodes by 2.
 void print_layers(std::ostream& out, const LayerStack& stack, const Coordinates& x, int limit);
 
-/// Prints a line for each pair of markers that the mesh file names as periodic.
-void print_pairs(std::ostream& out, const GivenPeriodicity& periodicity, const Mesh& mesh);
+/// Prints a line for each pair of markers that the mesh file names as periodic. by_default: they
+/// move together without an option.
+void print_pairs(std::ostream& out, const GivenPeriodicity& periodicity, bool by_default,
+                 const Mesh& mesh);
 /// The same for reports: a list, empty if the file names none.
 nlohmann::json describe_pairs(const GivenPeriodicity& periodicity, const Mesh& mesh);
 

@@ -275,7 +275,8 @@ class QualitySubcommand : public Subcommand {
         std::cout << '\n';
         print_walls(std::cout, nullptr, zone.quality.walls);
       }
-      print_pairs(std::cout, *zone.source.details->periodic, mesh);
+      print_pairs(std::cout, *zone.source.details->periodic, zone.source.details->roles.pairs_move,
+                  mesh);
       print_inverted_elements(std::cout, mesh, zone.quality, inverted_elements_shown);
       print_folds(std::cout, zone.quality.folds, folded_edges_shown);
       if (options_.worst > 0) print_worst_elements(std::cout, zone.quality);

@@ -71,13 +71,13 @@ TEST_CASE("OpenFOAM: damaged cell zones are refused with file and line") {
   CHECK_CONTAINS(error_of(head + "1(\na { cellLabels 1(27); }\n)\n"),
                  "cellZones:9: found cell 27 in zone 'a', expected 0 to 26");
   CHECK_CONTAINS(error_of(head + "1(\na { cellLabels 99(1 2); }\n)\n"),
-                 "found 99 cells in zone 'a', expected at most the 27");
+                 "cellZones:9: found 99 as the length of a list, expected no more than");
   CHECK_CONTAINS(error_of(head + "1(\na { cellLabels 2(1 x); }\n)\n"),
                  "found 'x', expected a cell");
   CHECK_CONTAINS(error_of(head + "2(\na { cellLabels 1(1); }\n"), "found the end of the file");
   CHECK_CONTAINS(error_of(head + "two\n"), "found 'two', expected the number of zones");
   CHECK_CONTAINS(error_of("FoamFile { format binary; }\n1(a{cellLabels 20(abc"),
-                 "the end of the file");
+                 "found 20 as the length of a list, expected no more than the 2");
 }
 
 }  // namespace winslow::test
