@@ -40,7 +40,7 @@ bool is_instance(const std::string& name) { return name == constant || time_of(n
 
 /// The name of the last folder of a path, also of "." and "..".
 std::string name_of(const fs::path& path) {
-  const std::string name = tidied(path).filename().string();
+  std::string name = tidied(path).filename().string();
   if (!name.empty() && name != "." && name != "..") return name;
   std::error_code error;
   return tidied(fs::absolute(path, error)).filename().string();
@@ -78,7 +78,7 @@ MeshPlace place_named(const fs::path& path) {
 }
 
 bool names_a_time(const fs::path& path) {
-  const MeshPlace place = place_named(path);
+  MeshPlace place = place_named(path);
   const std::string name = name_of(path);
   return name == mesh_folder || name == constant || place.region == name ||
          (!place.instance.empty() && name == place.instance);
@@ -166,7 +166,7 @@ std::string about_times(const fs::path& path, const MeshPlace& place) {
 }
 
 bool is_folder_to_write(const fs::path& path, bool of_case) {
-  const std::string name = tidied(path).filename().string();
+  std::string name = tidied(path).filename().string();
   if (name == mesh_folder || is_folder(path / constant) || is_folder(path / "system")) return true;
   if (time_of(name) && is_folder(parent_of(path) / constant)) return true;
   const bool plain = !path.has_filename() || !path.has_extension() || time_of(name);
@@ -183,7 +183,7 @@ MeshPlace place_to_write(const fs::path& path, const MeshPlace* source) {
                      " for a whole mesh, " + (folder / "0.5").lexically_normal().string() +
                      " for the moved points of a time");
   }
-  const MeshPlace place = place_named(path);
+  MeshPlace place = place_named(path);
   if (source == nullptr || place.instance != constant || name_of(path) == mesh_folder) return place;
   std::error_code error;
   if (fs::weakly_canonical(place.folder(), error) !=
