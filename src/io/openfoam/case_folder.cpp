@@ -160,9 +160,13 @@ std::string about_times(const fs::path& path, const MeshPlace& place) {
   if (place.instance != constant || names_a_time(path)) return {};
   const std::vector<std::string> times = times_of(place, "points");
   if (times.empty()) return {};
-  return "the mesh of constant is read; points of it moved are in " +
-         list_of(times, [](const std::string& name) { return name; }) +
-         ": --time latest or --time " + times.back() + " reads these";
+  constexpr std::size_t most_named = 5;
+  const std::string which =
+      times.size() <= most_named
+          ? list_of(times, [](const std::string& name) { return name; })
+          : std::to_string(times.size()) + " times from " + times.front() + " to " + times.back();
+  return "the mesh of constant is read, and the case has moved points at " + which +
+         ": --time latest, or the folder " + times.back() + " in place of the case, reads the last";
 }
 
 bool is_folder_to_write(const fs::path& path, bool of_case) {

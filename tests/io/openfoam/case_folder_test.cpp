@@ -64,7 +64,8 @@ TEST_CASE("OpenFOAM: what a path names when it is read") {
   CHECK(foam::find_file(late.at("0"), "points") == root / "constant/polyMesh/points");
   CHECK(foam::find_file(late, "cellZones").empty());
   CHECK_CONTAINS(foam::about_times(root, *foam::place_to_read(root, {})),
-                 "points of it moved are in 0.5, 2: --time latest or --time 2 reads these");
+                 "the case has moved points at 0.5, 2: --time latest, or the folder 2 in place of "
+                 "the case, reads the last");
   CHECK(foam::about_times(root / "constant/polyMesh", late.at("constant")).empty());
 }
 

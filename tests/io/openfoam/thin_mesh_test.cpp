@@ -177,7 +177,7 @@ TEST_CASE("OpenFOAM: a mesh one cell thick between empty patches is a plane mesh
   CHECK(io::read_mesh(root, {.time = "latest"}).mesh.coordinates == file.mesh.coordinates);
   const io::MeshFile first = io::read_mesh(root);
   CHECK_FALSE(first.mesh.coordinates == file.mesh.coordinates);
-  CHECK(any_contains(first.warnings, "--time latest or --time 0.5"));
+  CHECK(any_contains(first.warnings, "--time latest, or the folder 0.5"));
 }
 
 TEST_CASE("OpenFOAM: a mesh one cell thick along x or y is one of the other plane") {
