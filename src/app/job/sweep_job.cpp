@@ -9,7 +9,6 @@
 #include "app/output/quality_csv.h"
 #include "core/error.h"
 #include "core/quality/mesh_change.h"
-#include "core/quality/movable_statistics.h"
 #include "io/file/atomic_file.h"
 #include "io/format/mesh_format.h"
 #include "io/text/numbers.h"
@@ -109,9 +108,8 @@ struct Row {
 };
 
 /// The smallest sine or scaled Jacobian of what a run can change; NaN if that is nothing.
-double smallest_movable(const Mesh& mesh, const QualityReport& quality) {
-  return quality.all_on_boundary > 0 ? movable_statistics(mesh).front().min
-                                     : quality.of(Metric::normalized_jacobian).statistics.min;
+double smallest_movable(const QualityReport& quality) {
+  return quality.of(Metric::normalized_jacobian).movable.min;
 }
 
 /// The status of a step whose bodies moved and no other node.
@@ -185,8 +183,7 @@ class SweepRun final : public SeriesMonitor {
     row.iterations = run.smooth.outer_iterations;
     row.fraction = run.smooth.fraction_reached;
     row.quality = measure_quality(run.state.mesh, quality_options());
-    row.harmed =
-        smallest_movable(run.state.mesh, *row.quality) < least_sine_kept * inputs_.smallest;
+    row.harmed = smallest_movable(*row.quality) < least_sine_kept * inputs_.smallest;
     if (row.status == status_name(SeriesStatus::done)) find_what_holds(run.state.mesh, row);
     if (const auto change =
             compare_first_heights(inputs_.reference.walls.walls, row.quality->walls.walls);
@@ -435,7 +432,7 @@ Inputs load(SweepJob& job) {
   options.worst = 0;
   const Mesh reference{mesh.topology, *reference_of(inputs.state)};
   inputs.reference = measure_quality(reference, options);
-  inputs.smallest = smallest_movable(reference, inputs.reference);
+  inputs.smallest = smallest_movable(inputs.reference);
   return inputs;
 }
 

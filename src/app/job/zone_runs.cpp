@@ -3,7 +3,7 @@
 #include "app/job/edit_job.h"
 #include "app/options/flags.h"
 #include "core/error.h"
-#include "io/su2/su2_config.h"
+#include "io/su2/su2.h"
 #include "io/tables/file_defaults.h"
 
 namespace winslow::app {

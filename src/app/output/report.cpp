@@ -7,7 +7,6 @@
 #include "app/output/tables.h"
 #include "app/output/terminal.h"
 #include "core/layers/layer_stack.h"
-#include "core/quality/movable_statistics.h"
 #include "core/version.h"
 
 namespace winslow::app {
@@ -55,11 +54,10 @@ json describe_metrics(const QualityReport& quality) {
 }
 
 /// The same of the elements of a volume mesh that can move.
-json describe_movable(const Mesh& mesh) {
+json describe_movable(const QualityReport& quality) {
   json metrics;
-  const std::vector<Statistics> statistics = movable_statistics(mesh);
-  for (std::size_t m = 0; m < statistics.size(); ++m)
-    metrics[std::string(metric_name(reported_metrics(3)[m]))] = describe_statistics(statistics[m]);
+  for (const Metric m : reported_metrics(quality.cell_dimension))
+    metrics[std::string(metric_name(m))] = describe_statistics(quality.of(m).movable);
   return metrics;
 }
 
@@ -294,7 +292,7 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality, const Quality
   } else if (dimension == 3) {
     report["all_on_boundary"] = quality.all_on_boundary;
     report["all_on_boundary_inverted"] = quality.all_on_boundary_inverted;
-    if (quality.all_on_boundary > 0) report["quality_movable"] = describe_movable(mesh);
+    if (quality.all_on_boundary > 0) report["quality_movable"] = describe_movable(quality);
   }
   if (is_surface(*mesh.topology)) {
     report["folds"] = describe_folds(quality.folds);

@@ -6,7 +6,6 @@
 #include "app/output/terminal.h"
 #include "core/layers/layer_stack.h"
 #include "core/mesh/coordinates.h"
-#include "core/quality/movable_statistics.h"
 
 namespace winslow::app {
 namespace {
@@ -57,13 +56,15 @@ void print_memory(std::ostream& out, const MemoryUse& memory, std::int64_t peak)
 
 namespace {
 
-/// A line for each metric. statistics: in the order of reported_metrics().
-void print_statistics(std::ostream& out, int dimension, std::span<const Statistics> statistics) {
-  const auto& metrics = reported_metrics(dimension);
-  for (std::size_t m = 0; m < metrics.size(); ++m) {
-    const Statistics& s = statistics[m];
-    out << formatted("%-22s", std::string(metric_info(metrics[m], dimension).field.label).c_str())
-        << number(s.min) << number(s.avg) << number(s.max)
+/// A line for each metric.
+/// which: PerMetric::statistics or PerMetric::movable.
+void print_statistics(std::ostream& out, const QualityReport& quality,
+                      Statistics QualityReport::PerMetric::*which) {
+  for (const Metric metric : reported_metrics(quality.cell_dimension)) {
+    const Statistics& s = quality.of(metric).*which;
+    const auto& field = metric_info(metric, quality.cell_dimension).field;
+    out << formatted("%-22s", std::string(field.label).c_str()) << number(s.min) << number(s.avg)
+        << number(s.max)
         << (std::isnan(s.avg) ? "  not measured: infinite in every element\n" : "\n");
   }
 }
@@ -72,10 +73,7 @@ void print_statistics(std::ostream& out, int dimension, std::span<const Statisti
 
 void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityReport& quality) {
   out << formatted("%-22s%11s%11s%11s\n", "", "minimum", "average", "maximum");
-  std::vector<Statistics> of_all;
-  for (const QualityReport::PerMetric& metric : quality.metrics)
-    of_all.push_back(metric.statistics);
-  print_statistics(out, quality.cell_dimension, of_all);
+  print_statistics(out, quality, &QualityReport::PerMetric::statistics);
   out << counted(mesh.topology->node_count(), "node", "nodes") << ", "
       << counted(mesh.topology->element_count(), "element", "elements") << ", " << quality.inverted
       << " inverted\n";
@@ -89,7 +87,7 @@ void print_quality_table(std::ostream& out, const Mesh& mesh, const QualityRepor
     return;
   }
   out << "; without them:\n";
-  print_statistics(out, quality.cell_dimension, movable_statistics(mesh));
+  print_statistics(out, quality, &QualityReport::PerMetric::movable);
 }
 
 void print_regions(std::ostream& out, const Topology& topology, const std::string& array) {

@@ -6,7 +6,7 @@
 #include "app/subcommands/subcommand.h"
 #include "core/error.h"
 #include "core/quality/quality.h"
-#include "io/surface/written_counts.h"
+#include "io/surface/surface.h"
 
 namespace winslow::app {
 namespace {

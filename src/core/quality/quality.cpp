@@ -6,7 +6,6 @@
 #include "core/geometry/element_normals.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/corner_kernel.h"
-#include "core/quality/movable_statistics.h"
 
 namespace winslow {
 
@@ -156,8 +155,17 @@ QualityReport::PerMetric QualityReport::of(Metric metric) && {
 
 namespace {
 
+/// The finite values of the elements of a volume mesh that have a node inside it.
+std::vector<double> movable_values(const Topology& topology, const std::vector<double>& all) {
+  std::vector<double> movable;
+  for (Index e = 0; e < topology.element_count(); ++e)
+    if (std::isfinite(all[at(e)]) && !all_on_boundary(topology, e)) movable.push_back(all[at(e)]);
+  return movable;
+}
+
+/// some_fixed: the mesh has elements that no smoothing can change.
 QualityReport::PerMetric describe_metric(const Mesh& mesh, const Values& values, std::size_t m,
-                                         const QualityOptions& options) {
+                                         bool some_fixed, const QualityOptions& options) {
   const int dimension = mesh.topology->cell_dimension();
   const MetricInfo& info = metric_info(reported_metrics(dimension)[m], dimension);
   QualityReport::PerMetric part;
@@ -166,6 +174,7 @@ QualityReport::PerMetric describe_metric(const Mesh& mesh, const Values& values,
   std::vector<double> counted = info.of_corner ? values.of_corners[m] : all;
   if (!info.of_corner) std::erase_if(counted, [](double v) { return !std::isfinite(v); });
   part.statistics = measured(counted);
+  part.movable = some_fixed ? measured(movable_values(*mesh.topology, all)) : part.statistics;
   const Statistics range = statistics_of(counted);
   const double low = info.field.larger_is_better ? std::min(0.0, range.min) : info.best;
   const double high =
@@ -193,7 +202,8 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
   const auto metrics = static_cast<Index>(values.of_elements.size());
   report.metrics.resize(at(metrics));
   const auto describe = [&](Index m, Index /*end*/) {
-    report.metrics[at(m)] = describe_metric(mesh, values, at(m), options);
+    report.metrics[at(m)] =
+        describe_metric(mesh, values, at(m), report.all_on_boundary > 0, options);
   };
   parallel_for(options.threads, metrics, describe, 1);
   if (!report.has_walls()) return report;
@@ -205,19 +215,6 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
                           : std::vector<WorstElement>());
   }
   return report;
-}
-
-std::vector<Statistics> movable_statistics(const Mesh& mesh) {
-  std::vector<Statistics> of_metrics;
-  for (const Metric metric : reported_metrics(mesh.topology->cell_dimension())) {
-    const std::vector<double> all = element_values(mesh, metric);
-    std::vector<double> movable;
-    for (Index e = 0; e < mesh.topology->element_count(); ++e)
-      if (!all_on_boundary(*mesh.topology, e) && std::isfinite(all[at(e)]))
-        movable.push_back(all[at(e)]);
-    of_metrics.push_back(measured(movable));
-  }
-  return of_metrics;
 }
 
 double element_value(const Mesh& mesh, Index e, Metric metric, std::span<const Vec3> normals) {

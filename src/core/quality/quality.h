@@ -69,12 +69,14 @@ struct QualityReport {
   std::vector<Index> inverted_elements;  ///< first 100
   struct PerMetric {
     Statistics statistics;  ///< of all elements; NaN where none has a finite value
+    /// The same without the elements that all_on_boundary counts: what smoothing can change.
+    Statistics movable;
     Histogram histogram;
     std::vector<WorstElement> worst;
   };
   std::vector<PerMetric> metrics;  ///< of reported_metrics(cell_dimension), in their order
   /// Elements of a volume mesh with all nodes on the boundary, which no smoothing can change. They
-  /// are in everything above, too; movable_statistics() leaves them out.
+  /// are in everything above but PerMetric::movable.
   Index all_on_boundary = 0, all_on_boundary_inverted = 0;
   SurfaceFolds folds;                                     ///< of surface meshes
   WallReport walls;                                       ///< of plane meshes

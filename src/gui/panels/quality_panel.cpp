@@ -162,6 +162,13 @@ QualityRow title_of(std::string name, std::string tip) {
   return {std::move(name), std::move(tip), true, {}, {}, {}, 0, false};
 }
 
+/// The smallest value over all elements, while a solver moves some of them. of_movable: that of the
+/// elements that can move, now; report: measured earlier, in which the others were as they are.
+double smallest_of_all(const QualityReport::PerMetric& report, double of_movable) {
+  const bool held = report.statistics.min < report.movable.min;
+  return held ? std::min(report.statistics.min, of_movable) : of_movable;
+}
+
 QualityRow fixed_row(const QualityReport& now) {
   QualityRow row;
   row.name = "Cannot move";
@@ -284,7 +291,8 @@ std::vector<QualityRow> quality_table(const QualityReport* before, const Quality
     const FieldInfo& info = metric_info(metric, now.cell_dimension).field;
     rows.push_back(title_of(std::string(info.label), std::string(info.help)));
     Statistics n = now.of(metric).statistics;
-    if (shown && metric == Metric::normalized_jacobian) n.min = shown->min_sine;
+    if (shown && metric == Metric::normalized_jacobian)
+      n.min = smallest_of_all(now.of(metric), shown->min_sine);
     const Statistics* b = before ? &before->of(metric).statistics : nullptr;
     rows.push_back(row_of("min", b ? &b->min : nullptr, n.min, better(info)));
     rows.push_back(row_of("avg", b ? &b->avg : nullptr, n.avg, better(info)));

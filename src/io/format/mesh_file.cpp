@@ -102,12 +102,15 @@ void check_dimension(const std::filesystem::path& path, const Topology& topology
                    std::string(mesh_kind(topology)));
 }
 
-/// Whether repair() mends what make_mesh() complains of.
-bool is_mended(const MeshError& error) {
-  const std::string_view text = error.what();
-  return std::ranges::any_of(
-      std::array<std::string_view, 4>{"(duplicate node)", "has no area", " twice", "given twice"},
-      [&](std::string_view part) { return text.find(part) != std::string_view::npos; });
+/// Whether repair() makes a sound mesh of this one.
+bool is_mended(ParsedMesh mesh, const Source& source) {
+  if (repair(mesh, source).empty()) return false;
+  try {
+    winslow::make_mesh(mesh.data);
+    return true;
+  } catch (const MeshError&) {
+    return false;
+  }
 }
 
 /// Makes the mesh of a file. A mesh to be shown need not be sound.
@@ -120,7 +123,7 @@ void build_mesh(const Source& source, const ReadOptions& options, ParsedMesh& pa
     return;
   } catch (const MeshError& error) {
     place = place_of(error, parsed.where);
-    const bool mends = options.defects != Defects::repair && is_mended(error);
+    const bool mends = options.defects != Defects::repair && is_mended(parsed, source);
     fault = error.what() + std::string(mends ? "; --repair mends it" : "");
   }
   if (options.defects != Defects::show) source.fail(place, fault);

@@ -57,7 +57,8 @@ class Mender {
   }
 
   std::vector<std::string> repair() {
-    drop_unknown_corners();
+    // An element whose points are not in the file is damage: leaving it out would tear a hole.
+    if (!std::ranges::all_of(items_, [&](const Item& item) { return is_known(item); })) return {};
     merge_points();
     mend_repeated_corners();
     drop_duplicates();
@@ -103,12 +104,17 @@ class Mender {
     return at_sides;
   }
 
+  /// True if an element has all its corners, and the mesh has their points.
+  bool is_known(const Item& item) const {
+    return item.corners.size() == at(corner_count(item.type)) &&
+           std::ranges::all_of(item.corners,
+                               [&](Index node) { return node >= 0 && node < x_.size(); });
+  }
+
   void drop_unknown_corners() {
     Tally dropped;
     for (Item& item : items_) {
-      const bool known = std::ranges::all_of(
-          item.corners, [&](Index node) { return node >= 0 && node < x_.size(); });
-      if (known && item.corners.size() == at(corner_count(item.type))) continue;
+      if (is_known(item)) continue;
       item.gone = true;
       dropped.add(item.place);
     }

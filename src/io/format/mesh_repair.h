@@ -14,17 +14,16 @@ namespace winslow::io {
 /// - points at exactly the same place become one (so cracks and baffles without thickness close);
 /// - elements that use a point twice: quadrilaterals become triangles; hexahedra, prisms and
 ///   pyramids what is left of them; others are left out;
-/// - triangles without area: the element beyond the longest edge is cut at the middle point, so
-/// that
-///   no hole stays; at the border they are left out;
 /// - elements with the points of an earlier one are left out;
-/// - surfaces: elements are turned to face as the others of their part, and outwards if it is
-/// closed;
+/// - triangles without area: the element beyond the longest edge is cut at the middle point, so
+///   that no hole stays; at the border they are left out;
+/// - surfaces: elements are turned to face as the others of their part; of a closed part outwards;
 /// - points that no element uses, and faces of markers that are sides of no element, are left out.
 ///
-/// Returns a sentence for each that says how many and where the first one is; none: nothing was to
-/// be mended, and the mesh is unchanged. Otherwise the details of the format are gone: the mesh is
-/// written as one of another format would be.
+/// A mesh in which an element uses a point that does not exist is damaged: nothing is mended.
+/// Returns a sentence for each that says how many and where the first one is; none: the mesh is
+/// unchanged. Otherwise the details of the format are gone: the mesh is written as one of another
+/// format would be.
 std::vector<std::string> repair(ParsedMesh& mesh, const Source& source);
 
 /// Leaves out what keeps a mesh from being shown: elements that use a point twice or one that does

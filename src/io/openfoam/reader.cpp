@@ -1,7 +1,6 @@
 #include <set>
 
 #include "core/error.h"
-#include "io/openfoam/cell_zones.h"
 #include "io/openfoam/cells.h"
 #include "io/openfoam/openfoam.h"
 

@@ -1,4 +1,4 @@
-#include "io/su2/su2_config.h"
+#include "io/su2/su2.h"
 
 #include "io/text/source.h"
 

@@ -135,7 +135,7 @@ std::string add_file_defaults(SmoothOptions& smooth, std::span<const std::string
   std::string text =
       said.empty() ? "" : "As the file says, " + list_of(said, [](const std::string& part) {
                             return part;
-                          }) + "; --fixed NAME holds one of them";
+                          }) + "; --fixed NAME holds a marker";
   for (const std::string& fault : faults) text += (text.empty() ? "" : "; ") + fault;
   return text;
 }

@@ -202,6 +202,16 @@ void append_text(std::string& text, const DataArray& array, std::size_t value) {
   }
 }
 
+void write_lines(TextWriter& out, const DataArray& array, std::size_t per_line) {
+  const std::size_t count = array.value_count();
+  std::string word;
+  for (std::size_t i = 0; i < count; ++i) {
+    word.clear();
+    append_text(word, array, i);
+    out << word << ((i + 1) % per_line == 0 || i + 1 == count ? '\n' : ' ');
+  }
+}
+
 std::string packed_bits(const std::string& values) {
   std::string bytes((values.size() + 7) / 8, '\0');
   for (std::size_t i = 0; i < values.size(); ++i) {

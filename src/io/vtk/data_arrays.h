@@ -79,6 +79,8 @@ struct DataArrays {
 bool append_value(std::string& bytes, const ValueType& type, std::string_view word);
 /// Appends a value as the shortest text that gives the same value again.
 void append_text(std::string& text, const DataArray& array, std::size_t value);
+/// Writes the values of an array in lines of `per_line`.
+void write_lines(TextWriter& out, const DataArray& array, std::size_t per_line);
 /// Packs zeros and ones into bits, and the other way.
 std::string packed_bits(const std::string& values);
 bool bit_at(const std::string& bytes, std::size_t index);

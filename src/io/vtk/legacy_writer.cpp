@@ -152,24 +152,13 @@ class DataWriter {
     if (array.type.kind == Kind::text) {
       write_strings(array);
     } else if (!binary_) {
-      write_text(array);
+      write_lines(out_, array, std::max<std::size_t>(array.components, 1));
     } else {
       std::string bytes = array.bytes;
       swap_bytes(bytes, array.type.bytes);
       out_ << bytes << '\n';
     }
     out_ << array.metadata;
-  }
-
-  void write_text(const DataArray& array) {
-    const std::size_t per_line = std::max<std::size_t>(array.components, 1);
-    const std::size_t count = array.value_count();
-    std::string word;
-    for (std::size_t i = 0; i < count; ++i) {
-      word.clear();
-      append_text(word, array, i);
-      out_ << word << ((i + 1) % per_line == 0 || i + 1 == count ? '\n' : ' ');
-    }
   }
 
   void write_strings(const DataArray& array) {

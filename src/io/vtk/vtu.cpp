@@ -340,13 +340,7 @@ class Writer {
 
   void write_text(const DataArray& array, std::size_t per_line) {
     out_ << " format=\"ascii\">\n";
-    const std::size_t count = array.value_count();
-    std::string word;
-    for (std::size_t i = 0; i < count; ++i) {
-      word.clear();
-      append_text(word, array, i);
-      out_ << word << ((i + 1) % per_line == 0 || i + 1 == count ? '\n' : ' ');
-    }
+    write_lines(out_, array, per_line);
   }
 
   TextWriter out_;

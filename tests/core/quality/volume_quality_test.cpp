@@ -6,7 +6,6 @@
 
 #include "core/error.h"
 #include "core/mesh/element_type.h"
-#include "core/quality/movable_statistics.h"
 #include "core/quality/quality.h"
 #include "core/quality/validity.h"
 #include "core/quality/volume_element.h"
@@ -202,7 +201,7 @@ TEST_CASE("a mesh of which no element can move is measured; what is infinite eve
   const QualityReport report = measure_quality(mesh);
   CHECK(report.all_on_boundary == report.elements);
   CHECK(report.of(Metric::normalized_jacobian).statistics.min > 0.3);
-  CHECK(std::isnan(movable_statistics(mesh).front().avg));
+  CHECK(std::isnan(report.of(Metric::normalized_jacobian).movable.avg));
   Mesh flat = make_mesh(cube(1, Volumes::tetrahedra));
   for (Index i = 0; i < flat.coordinates.size(); ++i)
     flat.coordinates.set_xyz(i, {flat.coordinates.xyz(i).x(), flat.coordinates.xyz(i).y(), 0});
@@ -236,7 +235,7 @@ TEST_CASE("a report of a volume mesh names its metrics and what no smoothing can
   }
   const QualityReport::PerMetric sine = report.of(Metric::normalized_jacobian);
   CHECK(sine.statistics.min == smallest);
-  const Statistics movable = movable_statistics(mesh).front();
+  const Statistics movable = sine.movable;
   CHECK(movable.min == smallest_movable);
   CHECK(movable.avg == doctest::Approx(sum_movable / (report.elements - fixed)));
   const auto volumes = element_values(mesh, Metric::volume);

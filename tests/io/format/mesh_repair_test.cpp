@@ -139,6 +139,21 @@ TEST_CASE("repair: elements of plane and volume meshes that use a point twice ge
   CHECK(any_contains(said, "2 points lie where earlier ones do"));
 }
 
+TEST_CASE("repair: an element of a point that does not exist is damage, which nothing mends") {
+  const std::string text =
+      "NDIME= 2\nNELEM= 2\n5 0 1 2\n5 0 2 7\nNPOIN= 4\n0 0\n1 0\n1 1\n0 1\nNMARK= 0\n";
+  for (const io::Defects defects : {io::Defects::refuse, io::Defects::repair}) {
+    std::string message;
+    try {
+      read_as("a.su2", text, defects);
+    } catch (const InputError& error) {
+      message = error.what();
+    }
+    CHECK_CONTAINS(message, "a.su2:4: element 1 uses node 7, expected 0 to 3");
+    CHECK(message.find("--repair") == std::string::npos);
+  }
+}
+
 TEST_CASE("a defective mesh is refused for motions and shown otherwise, with what is wrong where") {
   // The corner of the first triangle lies exactly where another point does.
   const std::string text =

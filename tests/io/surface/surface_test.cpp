@@ -9,7 +9,7 @@
 #include "io/format/mesh_format.h"
 #include "io/support/samples.h"
 #include "io/support/volume_samples.h"
-#include "io/surface/written_counts.h"
+#include "io/surface/surface.h"
 #include "support/paths.h"
 
 namespace winslow::test {

@@ -1,6 +1,6 @@
 #include "io/tables/file_defaults.h"
 
-#include "io/su2/su2_config.h"
+#include "io/su2/su2.h"
 #include "io/support/files.h"
 #include "io/tables/slide_files.h"
 #include "support/paths.h"
@@ -26,7 +26,7 @@ TEST_CASE("what a file says of its boundary becomes options, unless markers are 
   const std::string said = io::add_file_defaults(command, file);
   CHECK(said ==
         "As the file says, top (symmetryPlane) slides, cycA and cycB move together; --fixed NAME "
-        "holds one of them");
+        "holds a marker");
   CHECK(smooth_options(command)->slide.markers == Names{"top"});
   CHECK(smooth_options(command)->slide.periodic_from_file);
   SUBCASE("fixed") {

@@ -59,6 +59,23 @@ TEST_CASE("the numbers of the table are those of the quality report") {
   CHECK(quality_table(nullptr, now)[1].before == "-");
 }
 
+TEST_CASE("an element that cannot move holds the minimum while others move") {
+  QualityReport report = measure_quality(ring_mesh());
+  QualityReport::PerMetric& sine = report.metrics.front();
+  sine.statistics.min = 0.035;
+  sine.movable.min = 0.039;
+  const auto min_now = [&](double of_movable) {
+    const Validity shown{0, of_movable};
+    return row(quality_table(&report, report, &shown), "Normalized Jacobian", 1);
+  };
+  CHECK(min_now(0.039).now == "0.035");
+  CHECK(min_now(0.039).change.empty());
+  CHECK(min_now(0.5).now == "0.035");
+  CHECK(min_now(0.02).now == "0.020");
+  sine.movable.min = sine.statistics.min;
+  CHECK(min_now(0.5).now == "0.500");
+}
+
 TEST_CASE("the table counts what cannot move, and says nothing where nothing was measured") {
   QualityReport now = measure_quality(ring_mesh());
   now.all_on_boundary = 1234;
