@@ -239,7 +239,7 @@ class OpenFoam(Peer):
         shutil.rmtree(case, ignore_errors=True)
         try:
             case.mkdir()
-            bench.convert(bench.store.path(row.mesh), case / "case.foam")
+            bench.convert(bench.store.path(row.mesh), case / "constant/polyMesh")
         except MeasuringError as error:
             yield Outcome(self.NAME, skipped=True, notes=(str(error),))
             return
@@ -253,7 +253,7 @@ class OpenFoam(Peer):
     @staticmethod
     def as_su2(case, bench):
         out = bench.folder / "openfoam.su2"
-        bench.convert(case / "case.foam", out)
+        bench.convert(case / "constant/polyMesh", out)
         return out
 
 

@@ -168,7 +168,10 @@ bool move_from(const MeshState& state, const Motion& motion, const RunOptions& r
                          : make_motion(*state.mesh.topology, start, std::span(run.near.way));
     const auto transfer =
         way ? make_transfer(classes, start, target, *way) : make_transfer(classes, start, target);
-    steps.move(*transfer, start, 0, x);
+    if (transfer->nodes().empty())  // the boundary is there already
+      steps.smooth(x, 1, nullptr);
+    else
+      steps.move(*transfer, start, 0, x);
     return true;
   }
   Coordinates within = unknowns_within(classes, start, target);

@@ -223,6 +223,25 @@ TEST_CASE("a warm start changes the way, not the result") {
   CHECK_THROWS_AS(execute(small_move(), state, options), UsageError);
 }
 
+TEST_CASE("a start whose boundary has arrived is smoothed to the end") {
+  for (const MeshState& state : {plate_state(), plate_state(Cells::quads)}) {
+    const MoveCommand move = small_move();
+    const CommandResult cold = execute(move, state);
+    Coordinates start = cold.state.mesh.coordinates;
+    // The interior is not yet where it belongs, as in the last mesh of a drag.
+    for (Index i = 0; i < start.size(); ++i)
+      if (!state.mesh.topology->on_boundary(i))
+        start.set_xy(i, start.xy(i) + 1e-3 * Vec2(std::sin(7.0 * i), std::cos(5.0 * i)));
+    RunOptions options;
+    options.start = &start;
+    const CommandResult warm = execute(move, state, options);
+    CHECK(warm.smooth.converged);
+    CHECK(warm.smooth.fraction_reached == 1);
+    CHECK(largest_difference(start, cold.state.mesh.coordinates) > 1e-4);
+    CHECK(largest_difference(warm.state.mesh.coordinates, cold.state.mesh.coordinates) < 1e-8);
+  }
+}
+
 TEST_CASE("a cache kept over commands, meshes and options changes no bit of the result") {
   SolverCache cache;
   const MeshState states[] = {plate_state(), ring_state(), plate_state(Cells::quads)};
