@@ -33,7 +33,7 @@ inline void add_cell(MeshData& data, ElementType type, std::vector<Index> corner
 
 /// The faces of an element by the nodes of the mesh.
 inline std::vector<Face> faces_of(const MeshData& data, Index e) {
-  std::vector<Face> faces;
+  std::vector<Face> faces(data.polyhedron(e).begin(), data.polyhedron(e).end());
   for (const Face& face : shape_of(data.types[at(e)]).faces) {
     faces.push_back(by_nodes(face, data.element(e)));
   }
@@ -42,7 +42,7 @@ inline std::vector<Face> faces_of(const MeshData& data, Index e) {
 
 /// Puts every boundary face into the marker that `name` gives for its middle.
 inline void mark_volume(MeshData& data, const std::function<std::string(const Vec3&)>& name) {
-  std::map<std::array<Index, 4>, int> uses;
+  std::map<Face, int> uses;
   for (Index e = 0; e < data.element_count(); ++e) {
     for (const Face& face : faces_of(data, e)) ++uses[face.sorted()];
   }
@@ -275,6 +275,104 @@ inline MeshData box_with_body_on_two_planes(Index n, Volumes volumes) {
   mark_volume(data, [](const Vec3& p) {
     const bool far = (p.array() > 1 - 1e-9).any() || p.x() < 1e-9;
     return far ? "far" : p.y() < 1e-9 ? "side" : p.z() < 1e-9 ? "floor" : "body";
+  });
+  return data;
+}
+
+/// The same mesh with all elements given by their faces.
+inline MeshData as_polyhedra(const MeshData& data) {
+  MeshData out = data;
+  out.types.clear();
+  out.element_nodes.clear();
+  out.element_offsets = {0};
+  for (Index e = 0; e < data.element_count(); ++e)
+    out.add_polyhedron(data.element(e), faces_of(data, e));
+  return out;
+}
+
+/// The unit cube of n^3 cubes with the body of box_with_body(), of which each cube with all three
+/// numbers below n / 2 is split into eight. The cubes beside them are polyhedra with hanging nodes.
+inline MeshData split_box_with_body(Index n) {
+  const Index m = 2 * n, low = n / 2;
+  MeshData data;
+  data.coordinates = Coordinates(3, 0);
+  std::map<std::array<Index, 3>, Index> nodes;  // by places in half cubes
+  const auto fine = [&](const std::array<Index, 3>& c) {
+    return std::ranges::all_of(c, [&](Index i) { return i >= 0 && i < low; });
+  };
+  const auto node = [&](const std::array<Index, 3>& at_place) {
+    const auto [it, added] = nodes.try_emplace(at_place, data.node_count());
+    if (added)
+      data.coordinates.push_xyz(Vec3(at_place[0], at_place[1], at_place[2]) /
+                                static_cast<double>(m));
+    return it->second;
+  };
+  // A square of a cube: corner, size and the two axes along it, counter-clockwise from outside.
+  const auto square = [&](std::array<Index, 3> corner, Index size, std::size_t u, std::size_t v,
+                          std::vector<Face>& faces) {
+    // All fine nodes along the outline that touches fine cubes.
+    std::vector<Index> outline;
+    std::array<Index, 3> place = corner;
+    const auto go = [&](std::size_t axis, Index step) {
+      outline.push_back(node(place));
+      for (Index k = 0; k + 1 < size; ++k) {
+        place[axis] += step;
+        bool touches = false;  // a fine cube around the middle of this edge
+        for (const Index i : {-1, 0})
+          for (const Index j : {-1, 0}) {
+            std::array<Index, 3> half = place;
+            half[(axis + 1) % 3] += i;
+            half[(axis + 2) % 3] += j;
+            touches |= std::ranges::all_of(half, [](Index h) { return h >= 0; }) &&
+                       fine({half[0] / 2, half[1] / 2, half[2] / 2});
+          }
+        if (touches) outline.push_back(node(place));
+      }
+      place[axis] += step;
+    };
+    go(u, 1);
+    go(v, 1);
+    go(u, -1);
+    go(v, -1);
+    faces.emplace_back(std::span<const Index>(outline));
+  };
+  const auto cell = [&](const std::array<Index, 3>& corner, Index size, bool split_beside) {
+    std::vector<Face> faces;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const bool far : {false, true}) {
+        std::array<Index, 3> start = corner, beside = corner;
+        start[axis] += far ? size : 0;
+        beside[axis] += far ? size : -1;
+        const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const bool split = split_beside && size == 2 &&
+                           std::ranges::all_of(beside, [](Index h) { return h >= 0; }) &&
+                           fine({beside[0] / 2, beside[1] / 2, beside[2] / 2});
+        const Index step = split ? 1 : size;
+        for (Index i = 0; i < size; i += step)
+          for (Index j = 0; j < size; j += step) {
+            std::array<Index, 3> part = start;
+            part[u] += i;
+            part[v] += j;
+            far ? square(part, step, u, v, faces) : square(part, step, v, u, faces);
+          }
+      }
+    data.add_polyhedron(faces);
+  };
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < n; ++j)
+      for (Index k = 0; k < n; ++k) {
+        if (i == low && j == low && k == low) continue;  // the body
+        if (!fine({i, j, k})) {
+          cell({2 * i, 2 * j, 2 * k}, 2, true);
+          continue;
+        }
+        for (const Index p : {0, 1})
+          for (const Index q : {0, 1})
+            for (const Index r : {0, 1}) cell({2 * i + p, 2 * j + q, 2 * k + r}, 1, false);
+      }
+  mark_volume(data, [](const Vec3& p) {
+    const bool outside = (p.array() < 1e-9).any() || (p.array() > 1 - 1e-9).any();
+    return outside ? "far" : "body";
   });
   return data;
 }

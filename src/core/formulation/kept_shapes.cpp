@@ -1,26 +1,10 @@
 #include "core/formulation/kept_shapes.h"
 
+#include "core/mesh/polyhedron.h"
+
 namespace winslow {
 
 namespace {
-
-/// Volume of the regular element with edges of length 1 (in the plane: area), over that of the
-/// regular simplex.
-double simplices_in(ElementType type) {
-  constexpr double root_2 = 1.41421356237309505, root_3 = 1.73205080756887729;
-  switch (type) {
-    case ElementType::quadrilateral:
-      return 4 / root_3;
-    case ElementType::pyramid:
-      return 2;
-    case ElementType::prism:
-      return 1.5 * root_2 * root_3;
-    case ElementType::hexahedron:
-      return 6 * root_2;
-    default:
-      return 1;
-  }
-}
 
 constexpr double stretched_from = 4;  // aspect ratio from which weights grow
 
@@ -53,16 +37,19 @@ KeptTerms<2> kept_terms(ElementType type, const TargetMetric& regular, const Tar
                         double weight) {
   const TargetMetric straight = with_lengths_of(own, regular);
   const double distortion = std::cosh(stretch_between(straight, own));
-  weight *= simplices_in(type) * weight_by_stretch(stretch_between(regular, own));
+  // Area of the square over that of the regular triangle with the same edges.
+  constexpr double square = 4 / 1.73205080756887729;
+  const double triangles = type == ElementType::quadrilateral ? square : 1;
+  weight *= triangles * weight_by_stretch(stretch_between(regular, own));
   return {own.term(weight), straight.term(weight * guard_weight(distortion)),
           inverse_limit(distortion)};
 }
 
-KeptTerms<3> kept_terms(ElementType type, const Eigen::Matrix3d& regular,
+KeptTerms<3> kept_terms(const ElementShape& shape, const Eigen::Matrix3d& regular,
                         const Eigen::Matrix3d& own, double weight) {
   const Eigen::Matrix3d straight = with_lengths_of(own, regular);
   const double distortion = (straight * own.inverse()).trace() / 3;
-  weight *= simplices_in(type) * weight_by_stretch(regular, own);
+  weight *= regular_volume(shape) * weight_by_stretch(regular, own);
   return {volume_term(own, weight), volume_term(straight, weight * guard_weight(distortion)),
           inverse_limit(distortion)};
 }

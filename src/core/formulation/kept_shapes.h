@@ -40,7 +40,7 @@ struct KeptTerms {
 /// mesh. weight: of the cell for a regular simplex; the type and the stretch increase it.
 KeptTerms<2> kept_terms(ElementType type, const TargetMetric& regular, const TargetMetric& own,
                         double weight);
-KeptTerms<3> kept_terms(ElementType type, const Eigen::Matrix3d& regular,
+KeptTerms<3> kept_terms(const ElementShape& shape, const Eigen::Matrix3d& regular,
                         const Eigen::Matrix3d& own, double weight);
 
 /// Appends the terms of a cell to the targets.

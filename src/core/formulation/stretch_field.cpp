@@ -6,6 +6,7 @@
 #include "core/formulation/target_metric.h"
 #include "core/mesh/element_type.h"
 #include "core/mesh/node_stars.h"
+#include "core/mesh/polyhedron.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/metric.h"
 
@@ -56,15 +57,16 @@ Edges3 edges_of(const std::array<Index, 4>& corner, const SpacePoints& x) {
 }
 
 /// The same for a volume element; NaN also if it is flat.
-double cell_stretch(ElementType type, std::span<const Index> nodes, const SpacePoints& x) {
+double cell_stretch(const ElementShape& shape, std::span<const Index> nodes, const SpacePoints& x) {
   double sum = 0;
-  const auto corners = corner_tetrahedra(type);
+  const auto corners = shape.corner_tetrahedra;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Edges3 edges = edges_of(by_nodes(corners[k], nodes), x);
     if (!has_metric(edges)) return inverted;
-    sum += stretch_between(regular_metrics(type)[k], volume_metric(edges));
+    const Eigen::Matrix3d own = volume_metric(edges);
+    sum += stretch_between(regular_metric(shape, k).value_or(own), own);
   }
-  return 0.5 * sum / static_cast<double>(corners.size());
+  return corners.empty() ? 0 : 0.5 * sum / static_cast<double>(corners.size());
 }
 
 /// The elements around nodes. Those of a volume mesh are counted along a curve, so that what is
@@ -133,9 +135,8 @@ class Field {
       is_of_one_type_ &= topology.element_type(e) == topology.element_type(0);
     for_each_element([&](Index e) {
       const auto nodes = topology_.element(e);
-      const ElementType type = topology_.element_type(e);
       const Vec3 normal = normals.empty() ? Vec3::UnitZ() : normals[at(e)];
-      if (corner_tetrahedra(type).empty())
+      if (topology_.cell_dimension() == 2)
         stretch_[at(e)] = face_stretch(nodes, given, normal);
       else
         set_cell_stretch(e);
@@ -203,7 +204,7 @@ class Field {
   }
   void make_exact(Index e) {
     stretch_[at(e)] =
-        cell_stretch(topology_.element_type(e), topology_.element(e), SpacePoints(given_));
+        cell_stretch(topology_.shape(e), topology_.element(e), SpacePoints(given_));
     exact_[at(e)] = 1;
   }
 
@@ -382,7 +383,7 @@ class Field {
             stiffness(kept_stretch(e, field, std::min(stretch_[at(e)], longest)));
       longest = longest == unknown ? 0 : longest + tolerance(e, longest);
     }
-    if (!is_of_one_type_) field.stiffness[at(e)] *= weight_of_type(topology_.element_type(e));
+    if (!is_of_one_type_) field.stiffness[at(e)] *= weight_of_type(topology_.shape(e));
   }
 
   /// s of a target of an element whose own s, perhaps limited, is given.
@@ -402,14 +403,16 @@ class Field {
   /// Of one element among others. That of prisms and hexahedra is the volume of the regular
   /// element, in tetrahedra: where many small cells share the room with few large ones, both give
   /// way alike.
-  static double weight_of_type(ElementType type) {
-    switch (type) {
+  static double weight_of_type(const ElementShape& shape) {
+    switch (shape.like) {
       case ElementType::pyramid:
         return 30;
       case ElementType::prism:
         return 3.7;
       case ElementType::hexahedron:
         return 8.5;
+      case ElementType::polyhedron:
+        return regular_volume(shape);
       default:
         return 1;
     }

@@ -1,6 +1,7 @@
 #include "core/formulation/target_metric.h"
 
 #include "core/mesh/element_type.h"
+#include "core/mesh/polyhedron.h"
 
 namespace winslow {
 
@@ -20,11 +21,8 @@ std::vector<Eigen::Matrix3d> make(ElementType type, Tetrahedra tetrahedra) {
   return list;
 }
 
-std::array<std::vector<Eigen::Matrix3d>, 6> make_all(Tetrahedra (*tetrahedra)(ElementType)) {
-  std::array<std::vector<Eigen::Matrix3d>, 6> lists;
-  for (const ElementType type : all_element_types)
-    lists[static_cast<std::size_t>(type)] = make(type, tetrahedra(type));  // none of faces
-  return lists;
+auto make_all(Tetrahedra (*tetrahedra)(ElementType)) {
+  return table_by_type([&](ElementType type) { return make(type, tetrahedra(type)); });
 }
 
 }  // namespace
@@ -32,6 +30,15 @@ std::array<std::vector<Eigen::Matrix3d>, 6> make_all(Tetrahedra (*tetrahedra)(El
 const std::vector<Eigen::Matrix3d>& regular_metrics(ElementType type) {
   static const auto lists = make_all(corner_tetrahedra);
   return lists[static_cast<std::size_t>(type)];
+}
+
+std::optional<Eigen::Matrix3d> regular_metric(const ElementShape& shape, std::size_t corner) {
+  if (shape.type != ElementType::polyhedron) return regular_metrics(shape.type)[corner];
+  const auto edges = regular_corner(shape.face_sizes[corner]);
+  Edges3 columns;
+  for (int k = 0; k < 3; ++k) columns.col(k) = edges[at(k)];
+  if (!has_metric(columns)) return std::nullopt;
+  return volume_metric(columns);
 }
 
 const std::vector<Eigen::Matrix3d>& regular_factors(ElementType type) {

@@ -107,6 +107,9 @@ inline Eigen::Matrix3d metric_of(const VolumeTerm& t) {
 
 /// Metrics of the corners of the regular element, in the order of corner_tetrahedra().
 const std::vector<Eigen::Matrix3d>& regular_metrics(ElementType type);
+/// The metric of a corner of a volume element if it were regular; none of a corner of a polyhedron
+/// for which there is no regular one.
+std::optional<Eigen::Matrix3d> regular_metric(const ElementShape& shape, std::size_t corner);
 /// Cholesky factors of these.
 const std::vector<Eigen::Matrix3d>& regular_factors(ElementType type);
 /// The metrics of edge_tetrahedra().

@@ -51,7 +51,7 @@ class VolumeTargets : TargetBuilder {
   /// Whether no corner of an element is inverted or flat in the mesh as given.
   bool has_shape(Index e) const {
     return std::ranges::all_of(
-        corner_tetrahedra(topology_.element_type(e)), [&](const auto& corner) {
+        topology_.shape(e).corner_tetrahedra, [&](const auto& corner) {
           return has_metric(own_edges(e, by_nodes(corner, topology_.element(e))));
         });
   }
@@ -77,7 +77,7 @@ class VolumeTargets : TargetBuilder {
 
   /// Lists the cells of an element and the number of terms of each.
   void list_element(Index e) {
-    const auto corners = corner_tetrahedra(topology_.element_type(e));
+    const auto corners = topology_.shape(e).corner_tetrahedra;
     const std::size_t first = targets_.cells.size();
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const auto nodes = by_nodes(corners[k], topology_.element(e));
@@ -100,9 +100,8 @@ class VolumeTargets : TargetBuilder {
   }
 
   void list_edges(Index e) {
-    const ElementType type = topology_.element_type(e);
-    const auto corners = corner_tetrahedra(type).size();
-    const auto edges = edge_tetrahedra(type);
+    const auto corners = topology_.shape(e).corner_tetrahedra.size();
+    const auto edges = topology_.shape(e).edge_tetrahedra;
     for (std::size_t k = 0; k < edges.size(); ++k) {
       const auto nodes = by_nodes(edges[k], topology_.element(e));
       if (!movable(nodes)) continue;
@@ -119,9 +118,14 @@ class VolumeTargets : TargetBuilder {
     const int corner = origins_[at(cell)].corner;
     const double weight = origins_[at(cell)].weight;
     VolumeTerm* term = targets_.terms.data() + targets_.offsets[at(cell)];
-    const ElementType type = topology_.element_type(e);
-    const std::size_t corners = corner_tetrahedra(type).size();
+    const ElementShape& shape = topology_.shape(e);
+    const ElementType type = shape.type;
+    const std::size_t corners = shape.corner_tetrahedra.size();
     const bool at_edge = at(corner) >= corners;
+    if (type == ElementType::polyhedron) {
+      fill_polyhedron(cell, shape);
+      return;
+    }
     const Eigen::Matrix3d& regular = at_edge ? regular_edge_metrics(type)[at(corner) - corners]
                                              : regular_metrics(type)[at(corner)];
     if (keeps()) {
@@ -154,6 +158,30 @@ class VolumeTargets : TargetBuilder {
     *term = volume_term(normalized_metric(sum), weight);
   }
 
+  /// The term of a polyhedron, which keeps its own shape where other elements become regular: cells
+  /// between split hexahedra have none that is regular.
+  void fill_polyhedron(Index cell, const ElementShape& shape) {
+    const auto [e, corner, weight] = origins_[at(cell)];
+    const auto& nodes = targets_.cells[at(cell)];
+    const auto own = given_ ? own_metric(e, nodes) : std::nullopt;
+    const auto corners = shape.corner_tetrahedra.size();
+    const auto known =
+        at(corner) < corners ? regular_metric(shape, at(corner)) : std::optional<Eigen::Matrix3d>();
+    const Eigen::Matrix3d regular = known   ? *known
+                                    : own   ? *own
+                                            : volume_metric(Edges3(Edges3::Identity()));
+    if (keeps()) return fill_kept(cell, regular);
+    const double vcv = vcv_share(e, nodes[0]);
+    Eigen::Matrix3d sum = blend_.element * regular + blend_.automatic * own.value_or(regular);
+    if (blend_.rest > 0) sum += blend_.rest * *own;
+    if (by_hand(e, nodes[0])) sum = rest_part(e, nodes);
+    if (at(corner) < corners && vcv > 0)
+      sum += vcv * vcv_metric(e, nodes, 0);
+    else
+      sum += blend_.vcv * regular;
+    targets_.terms[at(targets_.offsets[at(cell)])] = volume_term(normalized_metric(sum), weight);
+  }
+
   /// Whether the targets of an element are regular: those of most elements under `automatic`.
   bool is_regular(Index e) const {
     if (blend_.vcv > 0 || blend_.rest > 0 || stencils_) return false;
@@ -161,7 +189,7 @@ class VolumeTargets : TargetBuilder {
   }
   /// The terms of regular targets by element type, as fill() makes them, in the order of
   /// Origin::corner, without weights.
-  std::array<std::vector<VolumeTerm>, all_element_types.size()> make_regular_terms() const {
+  std::array<std::vector<VolumeTerm>, element_type_count> make_regular_terms() const {
     return table_by_type([&](ElementType type) {
       std::vector<VolumeTerm> terms;
       for (const auto* metrics : {&regular_metrics(type), &regular_edge_metrics(type)}) {
@@ -181,7 +209,7 @@ class VolumeTargets : TargetBuilder {
     const auto first = at(targets_.offsets[at(cell)]);
     const auto own = is_lost(e) ? std::nullopt : own_metric(e, targets_.cells[at(cell)]);
     const auto terms =
-        kept_terms(topology_.element_type(e), regular, own.value_or(regular), weight);
+        kept_terms(topology_.shape(e), regular, own.value_or(regular), weight);
     targets_.terms[first] = terms.own;
     targets_.terms[first + 1] = terms.guard;
     targets_.inverse_limits[first + 1] = terms.inverse_limit;
@@ -266,7 +294,7 @@ class VolumeTargets : TargetBuilder {
   const VolumeVcvs* vcvs_;
   const SphereStencils* stencils_;  // null: none
   std::span<const Index> guarded_;
-  std::array<std::vector<VolumeTerm>, all_element_types.size()> regular_terms_;
+  std::array<std::vector<VolumeTerm>, element_type_count> regular_terms_;
   std::vector<Origin> origins_;       // of each cell
   std::optional<SpacePoints> given_;  // if the blend refers to it
   CellTargets<3> targets_;

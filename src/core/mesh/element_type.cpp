@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "core/error.h"
@@ -10,10 +11,44 @@
 namespace winslow {
 
 Face::Face(std::span<const Index> nodes) : count_(static_cast<Index>(nodes.size())) {
-  if (nodes.size() < 2 || nodes.size() > 4) {
-    throw UsageError("a face of " + std::to_string(nodes.size()) + " nodes, expected 2 to 4");
+  if (nodes.size() < 2)
+    throw UsageError("a face of " + std::to_string(nodes.size()) + " nodes, expected 2 or more");
+  if (is_long()) {
+    auto list = std::make_unique<Index[]>(nodes.size());
+    std::copy(nodes.begin(), nodes.end(), list.get());
+    put_list(std::move(list));
+  } else {
+    std::copy(nodes.begin(), nodes.end(), nodes_.begin());
   }
-  std::copy(nodes.begin(), nodes.end(), nodes_.begin());
+}
+
+const Index* Face::list() const {
+  const Index* address = nullptr;
+  std::memcpy(&address, nodes_.data(), sizeof address);
+  return address;
+}
+
+void Face::put_list(std::unique_ptr<Index[]> nodes) {
+  const Index* address = nodes.release();
+  std::memcpy(nodes_.data(), &address, sizeof address);
+}
+
+void Face::own_list() {
+  auto copy = std::make_unique<Index[]>(size());
+  std::copy_n(list(), size(), copy.get());
+  put_list(std::move(copy));
+}
+
+void Face::free_list() const { delete[] list(); }
+
+Face Face::long_reversed() const {
+  Face out = *this;
+  auto nodes = std::make_unique<Index[]>(size());
+  nodes[0] = (*this)[0];
+  std::reverse_copy(begin() + 1, end(), nodes.get() + 1);
+  out.free_list();
+  out.put_list(std::move(nodes));
+  return out;
 }
 
 void Face::refuse_edge() const {
@@ -21,12 +56,20 @@ void Face::refuse_edge() const {
                    " where an edge of a plane or surface mesh is expected");
 }
 
-std::array<Index, 4> Face::sorted() const {
-  std::array<Index, 4> all = nodes_;
+Face Face::sorted() const {
+  Face all = *this;
+  if (is_long()) {
+    auto list = std::make_unique<Index[]>(size());
+    std::copy(begin(), end(), list.get());
+    std::sort(list.get(), list.get() + size());
+    all.free_list();
+    all.put_list(std::move(list));
+    return all;
+  }
   // As unsigned numbers, -1 comes last.
   const auto order = [&](std::size_t a, std::size_t b) {
-    if (static_cast<std::uint32_t>(all[b]) < static_cast<std::uint32_t>(all[a]))
-      std::swap(all[a], all[b]);
+    if (static_cast<std::uint32_t>(all.nodes_[b]) < static_cast<std::uint32_t>(all.nodes_[a]))
+      std::swap(all.nodes_[a], all.nodes_[b]);
   };
   order(0, 1);
   order(2, 3);
@@ -139,28 +182,24 @@ constexpr Table<8, 12, 6> hexahedron{
               Face(0, 4, 7, 3), Face(4, 5, 6, 7)},
     .mirrored = {0, 3, 2, 1, 4, 7, 6, 5}};
 
+constexpr Table<0, 0, 0> polyhedron{.name = "polyhedron",
+                                    .dimension = 3,
+                                    .corners = {},
+                                    .edges = {},
+                                    .faces = {},
+                                    .mirrored = {}};
+
 template <const auto& table>
 constexpr auto links = links_of(table);
 
-template <const auto& table>
-constexpr ElementShape shape{table.name,  table.dimension, table.corners, table.edges,
-                             table.faces, links<table>,    table.mirrored};
-
 }  // namespace
-
-const ElementShape& shape_of(ElementType type) {
-  static constexpr std::array<ElementShape, 6> shapes{shape<triangle>,    shape<quadrilateral>,
-                                                      shape<tetrahedron>, shape<pyramid>,
-                                                      shape<prism>,       shape<hexahedron>};
-  return shapes[static_cast<std::size_t>(type)];
-}
 
 namespace {
 
-std::vector<std::array<Index, 4>> make_at_corners(ElementType type) {
+std::vector<std::array<Index, 4>> make_at_corners(const ElementShape& shape) {
   std::vector<std::array<Index, 4>> list;
-  const auto links = shape_of(type).links;
-  const std::size_t corners = type == ElementType::tetrahedron ? 1 : links.size();
+  const auto links = shape.links;
+  const std::size_t corners = shape.type == ElementType::tetrahedron ? 1 : links.size();
   for (std::size_t k = 0; k < corners; ++k) {
     if (links[k].size() == 3)
       list.push_back({static_cast<Index>(k), links[k][0], links[k][1], links[k][2]});
@@ -181,10 +220,9 @@ Index across(const ElementShape& shape, Index a, Index b, Index y) {
   return -1;
 }
 
-std::vector<std::array<Index, 4>> make_at_edges(ElementType type) {
+std::vector<std::array<Index, 4>> make_at_edges(const ElementShape& shape) {
   std::vector<std::array<Index, 4>> list;
-  const ElementShape& shape = shape_of(type);
-  if (type != ElementType::hexahedron && type != ElementType::prism) return list;
+  if (shape.type != ElementType::hexahedron && shape.type != ElementType::prism) return list;
   for (const auto& [a, b] : shape.edges) {
     const Face& link = shape.links[at(a)];
     const std::size_t place = index_of(link, b);
@@ -196,16 +234,50 @@ std::vector<std::array<Index, 4>> make_at_edges(ElementType type) {
   return list;
 }
 
+/// The shape of a type with the tetrahedra, which follow from the links.
+struct FixedShape {
+  template <const auto& table>
+  static FixedShape of(ElementType type) {
+    FixedShape made{{.type = type,
+                     .name = table.name,
+                     .dimension = table.dimension,
+                     .corners = table.corners,
+                     .edges = table.edges,
+                     .faces = table.faces,
+                     .links = links<table>,
+                     .mirrored = table.mirrored}};
+    if (table.dimension == 2) return made;
+    made.at_corners = make_at_corners(made.shape);
+    made.at_edges = make_at_edges(made.shape);
+    made.shape.corner_tetrahedra = made.at_corners;
+    made.shape.edge_tetrahedra = made.at_edges;
+    return made;
+  }
+
+  ElementShape shape;
+  std::vector<std::array<Index, 4>> at_corners = {}, at_edges = {};
+};
+
 }  // namespace
 
-std::span<const std::array<Index, 4>> edge_tetrahedra(ElementType type) {
-  static const auto lists = table_by_type(make_at_edges);
-  return lists[static_cast<std::size_t>(type)];
+const ElementShape& shape_of(ElementType type) {
+  static const std::array<FixedShape, 7> shapes{
+      FixedShape::of<triangle>(ElementType::triangle),
+      FixedShape::of<quadrilateral>(ElementType::quadrilateral),
+      FixedShape::of<tetrahedron>(ElementType::tetrahedron),
+      FixedShape::of<pyramid>(ElementType::pyramid),
+      FixedShape::of<prism>(ElementType::prism),
+      FixedShape::of<hexahedron>(ElementType::hexahedron),
+      FixedShape::of<polyhedron>(ElementType::polyhedron)};
+  return shapes[static_cast<std::size_t>(type)].shape;
 }
 
 std::span<const std::array<Index, 4>> corner_tetrahedra(ElementType type) {
-  static const auto lists = table_by_type(make_at_corners);
-  return lists[static_cast<std::size_t>(type)];
+  return shape_of(type).corner_tetrahedra;
+}
+
+std::span<const std::array<Index, 4>> edge_tetrahedra(ElementType type) {
+  return shape_of(type).edge_tetrahedra;
 }
 
 std::span<const std::array<double, 3>> regular_corners(ElementType type) {
@@ -243,21 +315,27 @@ double signed_area2(const Coordinates& x, std::span<const Index> corners) {
   return sum;
 }
 
-double signed_volume6(const Coordinates& x, ElementType type, std::span<const Index> corners,
-                      const Vec3& origin) {
-  double sum = 0;
-  for (const Face& face : shape_of(type).faces) {
-    const Face nodes = by_nodes(face, corners);
-    const Vec3 a = x.xyz(nodes[0]) - origin, b = x.xyz(nodes[1]) - origin,
-               c = x.xyz(nodes[2]) - origin;
-    if (nodes.size() == 3) {
-      sum += triple(a, b, c);
-      continue;
-    }
-    // The mean over both ways to cut the quadrilateral into triangles.
-    const Vec3 d = x.xyz(nodes[3]) - origin;
-    sum += 0.5 * (triple(a, b, c) + triple(a, c, d) + triple(a, b, d) + triple(b, c, d));
+double signed_volume6(const Coordinates& x, const Face& nodes, const Vec3& origin) {
+  const auto place = [&](std::size_t k) { return Vec3(x.xyz(nodes[k]) - origin); };
+  const Vec3 a = place(0), b = place(1), c = place(2);
+  if (nodes.size() == 3) return triple(a, b, c);
+  if (nodes.size() == 4) {  // the mean over both ways to cut the quadrilateral into triangles
+    const Vec3 d = place(3);
+    return 0.5 * (triple(a, b, c) + triple(a, c, d) + triple(a, b, d) + triple(b, c, d));
   }
+  const std::size_t n = nodes.size();
+  Vec3 middle = Vec3::Zero();
+  for (std::size_t k = 0; k < n; ++k) middle += place(k);
+  middle /= static_cast<double>(n);
+  double sum = 0;
+  for (std::size_t k = 0; k < n; ++k) sum += triple(middle, place(k), place((k + 1) % n));
+  return sum;
+}
+
+double signed_volume6(const Coordinates& x, const ElementShape& shape,
+                      std::span<const Index> corners, const Vec3& origin) {
+  double sum = 0;
+  for (const Face& face : shape.faces) sum += signed_volume6(x, by_nodes(face, corners), origin);
   return sum;
 }
 

@@ -13,10 +13,14 @@ namespace {
 
 constexpr const char* sides_of_elements = "faces of elements";
 
+/// N where a face has any number of nodes.
+constexpr std::size_t any_number = 0;
+
 /// A side without its lowest node, which SortedSides knows. N: largest number of nodes of a face.
 template <std::size_t N>
 struct Side {
-  std::array<Index, N - 1> others;  // ascending
+  // Ascending.
+  std::conditional_t<N == any_number, Face, std::array<Index, N == any_number ? 1 : N - 1>> others;
   Index side, element;
   bool ascends;  // of the whole side
 
@@ -34,10 +38,13 @@ bool ascends(const Face& face) {
   return n == 2 ? low == 0 : face[(low + 1) % n] < face[(low + n - 1) % n];
 }
 
-/// Whether two faces with the same nodes have the same diagonals.
-bool same_diagonals(const Face& a, const Face& b) {
-  if (a.size() < 4) return true;
-  return b[(index_of(b, a[0]) + 2) % 4] == a[2];
+/// Whether two faces with the same nodes have the same edges.
+bool same_edges(const Face& a, const Face& b) {
+  const std::size_t n = a.size(), first = index_of(b, a[0]);
+  const std::size_t step = b[(first + 1) % n] == a[1] ? 1 : n - 1;
+  for (std::size_t k = 1; k < n; ++k)
+    if (b[(first + k * step) % n] != a[k]) return false;
+  return true;
 }
 
 /// Calls body(nodes, element, side) for every side of every element, on several threads.
@@ -48,6 +55,10 @@ void for_each_side(const MeshData& data, std::span<const Index> side_offsets, co
     for (Index e = begin; e < end; ++e) {
       const auto corners = data.element(e);
       Index side = side_offsets[at(e)];
+      if (data.types[at(e)] == ElementType::polyhedron) {
+        for (const Face& face : data.polyhedron(e)) body(face, e, side++);
+        continue;
+      }
       for (const Face& face : shape_of(data.types[at(e)]).faces)
         body(by_nodes(face, corners), e, side++);
     }
@@ -73,9 +84,13 @@ struct SortedSides {
       if constexpr (N == 2) {
         const auto [low, high] = std::minmax({nodes[0], nodes[1]});
         put(low, {{high}, side, e, low == nodes[0]});
+      } else if constexpr (N == any_number) {
+        const Face all = nodes.sorted();
+        put(all[0], {Face(std::span(all.begin() + 1, all.end())), side, e, ascends(nodes)});
       } else {
-        const auto [low, a, b, c] = nodes.sorted();
-        put(low, {{a, b, c}, side, e, ascends(nodes)});
+        const Face all = nodes.sorted();
+        put(all[0],
+            {{all[1], all[2], all.size() > 3 ? all[3] : -1}, side, e, ascends(nodes)});
       }
     });
     begin.pop_back();
@@ -98,7 +113,9 @@ struct SortedSides {
   std::span<Side<N>> at_node(Index node) {
     return {sides.begin() + begin[at(node)], sides.begin() + begin[at(node) + 1]};
   }
-  void put(Index low, const Side<N>& side) { sides[at(count_one(begin[at(low) + 1]))] = side; }
+  void put(Index low, Side<N> side) {
+    sides[at(count_one(begin[at(low) + 1]))] = std::move(side);
+  }
 };
 
 template <std::size_t N>
@@ -114,12 +131,12 @@ template <std::size_t N>
 
 template <std::size_t N>
 Facing facing(const MeshData& data, const FacePairs& pairs, const Side<N>& a, const Side<N>& b) {
-  if constexpr (N > 2) {
+  if constexpr (N != 2) {
     const auto face = [&](const Side<N>& side) {
       return face_of_side(data, side.element, side.side - pairs.side_offsets[at(side.element)]);
     };
-    const bool quadrilateral = a.others.back() >= 0;
-    if (quadrilateral && !same_diagonals(face(a), face(b))) return Facing::twisted;
+    const bool triangle = N == any_number ? a.others.size() == 2 : *(a.others.end() - 1) < 0;
+    if (!triangle && !same_edges(face(a), face(b))) return Facing::twisted;
   }
   return a.ascends == b.ascends ? Facing::same : Facing::opposite;
 }
@@ -172,14 +189,21 @@ FacePairs pair_faces(const MeshData& data) {
   FacePairs pairs;
   pairs.side_offsets.reserve(data.types.size() + 1);
   pairs.side_offsets.push_back(0);
-  for (const ElementType type : data.types)
-    pairs.side_offsets.push_back(static_cast<Index>(shape_of(type).faces.size()));
+  for (Index e = 0; e < data.element_count(); ++e)
+    pairs.side_offsets.push_back(data.face_count(e));
   add_up(pairs.side_offsets, sides_of_elements);
-  data.kind() == MeshKind::volume ? pair_sides<4>(data, pairs) : pair_sides<2>(data, pairs);
+  if (data.kind() != MeshKind::volume)
+    pair_sides<2>(data, pairs);
+  else if (data.has_polyhedra())
+    pair_sides<any_number>(data, pairs);
+  else
+    pair_sides<4>(data, pairs);
   return pairs;
 }
 
 Face face_of_side(const MeshData& data, Index element, Index side_of_element) {
+  if (data.types[at(element)] == ElementType::polyhedron)
+    return data.polyhedron(element)[at(side_of_element)];
   const ElementShape& shape = shape_of(data.types[at(element)]);
   return by_nodes(shape.faces[at(side_of_element)], data.element(element));
 }
@@ -190,6 +214,15 @@ Face first_face(const MeshData& data, const FacePairs& pairs, Index face) {
 }
 
 namespace {
+
+double volume6_of(const MeshData& data, Index e, const Vec3& origin) {
+  if (data.types[at(e)] != ElementType::polyhedron)
+    return signed_volume6(data.coordinates, shape_of(data.types[at(e)]), data.element(e), origin);
+  double sum = 0;
+  for (const Face& face : data.polyhedron(e))
+    sum += signed_volume6(data.coordinates, face, origin);
+  return sum;
+}
 
 /// Orients the elements of each connected part, from neighbour to neighbour.
 class Walk {
@@ -274,8 +307,7 @@ class Walk {
       const auto corners = data_.element(e);
       const double own = data_.kind() == MeshKind::plane
                              ? signed_area2(x, corners)
-                             : signed_volume6(x, data_.types[at(e)], corners,
-                                              x.xyz(data_.element(part_.front())[0]));
+                             : volume6_of(data_, e, x.xyz(data_.element(part_.front())[0]));
       sum += turn_[at(e)] ? -own : own;
     }
     return sum;
@@ -304,7 +336,7 @@ bool positive_throughout(const MeshData& data, const FacePairs& pairs) {
       const double size = box.size().maxCoeff();
       constexpr double certain = 1e-12;  // orders of magnitude above round-off
       const double volume =
-          signed_volume6(data.coordinates, data.types[at(e)], corners, x[corners[0]]);
+          volume6_of(data, e, x[corners[0]]);
       if (!(volume > certain * size * size * size)) positive = false;
     }
   });
@@ -322,7 +354,7 @@ std::vector<bool> elements_to_turn(const MeshData& data, const FacePairs& pairs)
 std::vector<Index> turned_elements(const MeshData& data, const std::vector<bool>& turn) {
   std::vector<Index> nodes = data.element_nodes;
   for (Index e = 0; e < data.element_count(); ++e) {
-    if (!turn[at(e)]) continue;
+    if (!turn[at(e)] || data.types[at(e)] == ElementType::polyhedron) continue;
     const auto corners = data.element(e);
     const auto mirrored = shape_of(data.types[at(e)]).mirrored;
     const std::size_t begin = at(data.element_offsets[at(e)]);

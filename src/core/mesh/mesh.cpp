@@ -190,16 +190,19 @@ void check_hanging(const Topology& topology, const Points<D>& x) {
 }
 
 /// Whether the parallelepiped of some corner is larger than round-off.
-bool has_volume(const SpacePoints& x, ElementType type, std::span<const Index> corners) {
-  const ElementShape& shape = shape_of(type);
+bool has_volume(const SpacePoints& x, const ElementShape& shape, std::span<const Index> corners) {
   double longest2 = 0;
   double largest3 = 0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Face link = by_nodes(shape.links[k], corners);
+    const Face& link = shape.links[k];
     const Vec3 p = x[corners[k]];
-    const Vec3 a = x[link[0]] - p, b = x[link[1]] - p, c = x[link[2]] - p;
-    longest2 = std::max({longest2, a.squaredNorm(), b.squaredNorm(), c.squaredNorm()});
-    largest3 = std::max(largest3, std::abs(a.dot(b.cross(c))));
+    const auto edge = [&](std::size_t i) { return Vec3(x[corners[at(link[i])]] - p); };
+    for (std::size_t i = 0; i + 2 < link.size(); ++i) {
+      const Vec3 a = edge(i), b = edge(i + 1), c = edge(i + 2);
+      longest2 = std::max({longest2, a.squaredNorm(), b.squaredNorm(), c.squaredNorm()});
+      largest3 = std::max(largest3, std::abs(a.dot(b.cross(c))));
+      if (shape.type != ElementType::polyhedron) break;
+    }
   }
   constexpr double flat = 1e-15;
   return largest3 > flat * longest2 * std::sqrt(longest2);
@@ -222,9 +225,9 @@ bool on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 bool on_face(const SpacePoints& x, const Face& face, const Vec3& p) {
-  const Vec3 a = x[face[0]], b = x[face[1]], c = x[face[2]];
-  if (on_triangle(p, a, b, c)) return true;
-  return face.size() == 4 && on_triangle(p, a, c, x[face[3]]);
+  for (std::size_t k = 1; k + 1 < face.size(); ++k)
+    if (on_triangle(p, x[face[0]], x[face[k]], x[face[k + 1]])) return true;
+  return false;
 }
 
 /// Refuses elements for which has_extent(e) is false. fault: "area (...)".
@@ -257,7 +260,7 @@ void check_shapes(const Mesh& mesh) {
   if (topology.kind() == MeshKind::volume) {
     const SpacePoints x(mesh.coordinates);
     check_extents(topology, "volume (its corners lie in one plane)", [&](Index e) {
-      return has_volume(x, topology.element_type(e), topology.element(e));
+      return has_volume(x, topology.shape(e), topology.element(e));
     });
     check_hanging_on_faces(topology, x);
     return;

@@ -70,6 +70,10 @@ struct MeshData {
   std::vector<ElementType> types;         ///< #elements, all of one dimension
   std::vector<Index> element_offsets{0};  ///< #elements + 1, into element_nodes
   std::vector<Index> element_nodes;       ///< corners of all elements, any orientation
+  /// The faces of polyhedra, by nodes, all of one element counter-clockwise seen from outside or
+  /// all clockwise. face_offsets: #elements + 1, into faces; empty: there are no polyhedra.
+  std::vector<Face> faces = {};
+  std::vector<Index> face_offsets = {};
   std::vector<Marker> markers;
   std::vector<Region> regions;
   std::vector<Index> element_region;  ///< #elements, index into regions or -1; empty: no regions
@@ -84,12 +88,31 @@ struct MeshData {
     const std::size_t begin = at(element_offsets[at(e)]);
     return {element_nodes.data() + begin, at(element_offsets[at(e) + 1]) - begin};
   }
+  bool has_polyhedra() const { return !face_offsets.empty(); }
+  /// The faces of a polyhedron; none of another element.
+  std::span<const Face> polyhedron(Index e) const {
+    if (!has_polyhedra()) return {};
+    const std::size_t begin = at(face_offsets[at(e)]);
+    return {faces.data() + begin, at(face_offsets[at(e) + 1]) - begin};
+  }
+  /// Number of faces of an element.
+  Index face_count(Index e) const {
+    return static_cast<Index>(types[at(e)] == ElementType::polyhedron
+                                  ? polyhedron(e).size()
+                                  : shape_of(types[at(e)]).faces.size());
+  }
   /// Throws UsageError if an Index cannot number the corners of all elements.
   void add_element(ElementType type, std::span<const Index> corners) {
     types.push_back(type);
     element_nodes.insert(element_nodes.end(), corners.begin(), corners.end());
     element_offsets.push_back(index_count(element_nodes.size(), "corners of elements"));
+    if (has_polyhedra()) face_offsets.push_back(face_offsets.back());
   }
+  /// Adds a polyhedron. Its corners are the nodes of its faces, each once, in the order in which
+  /// the faces name them. Throws UsageError as add_element() does.
+  void add_polyhedron(std::span<const Face> of_element);
+  /// The same with the corners in an order of one's own.
+  void add_polyhedron(std::span<const Index> corners, std::span<const Face> of_element);
 };
 
 /// The nodes of some markers:

@@ -228,8 +228,7 @@ class NeighbourRows {
           if (other != k) add(other);
         continue;
       }
-      for (const Index c : shape_of(stars_.types[at(e)]).links[index_of(corners, k)])
-        add(corners[at(c)]);
+      for (const Index c : stars_.shape(e).links[index_of(corners, k)]) add(corners[at(c)]);
     }
   }
 
@@ -279,8 +278,9 @@ Box<3> box_around(const Coordinates& coordinates) {
   return box;
 }
 
-/// The faces of an element at one of its corners, by their numbers.
-const std::vector<Index>& faces_at(ElementType type, std::size_t corner) {
+/// Calls visit(face) with the number of each face of an element at one of its corners.
+template <typename Visit>
+void for_faces_at(const ElementShape& shape, std::size_t corner, const Visit& visit) {
   static const auto all = table_by_type([](ElementType of) {
     std::vector<std::vector<Index>> at_corners(at(corner_count(of)));
     const auto faces = shape_of(of).faces;
@@ -288,10 +288,17 @@ const std::vector<Index>& faces_at(ElementType type, std::size_t corner) {
       for (const Index k : faces[f]) at_corners[at(k)].push_back(static_cast<Index>(f));
     return at_corners;
   });
-  return all[static_cast<std::size_t>(type)][corner];
+  if (shape.type != ElementType::polyhedron) {
+    for (const Index face : all[static_cast<std::size_t>(shape.type)][corner]) visit(face);
+    return;
+  }
+  for (std::size_t f = 0; f < shape.faces.size(); ++f)
+    if (std::ranges::find(shape.faces[f], static_cast<Index>(corner)) != shape.faces[f].end())
+      visit(static_cast<Index>(f));
 }
 
-/// For each face of an element that was turned inside out, the face with these nodes before.
+/// For each face of an element that was turned inside out, the face with these nodes before. Empty
+/// for polyhedra, which keep the order of their faces.
 const std::vector<std::size_t>& faces_before_turn(ElementType type) {
   static const auto all = table_by_type([](ElementType of) {
     const ElementShape& shape = shape_of(of);
@@ -325,7 +332,7 @@ CompressedRows elements_beside(const OrderedStars& stars, const FacePairs& pairs
       auto value = beside.values.begin() + beside.offsets[at(k)];
       const auto faces = pairs.faces_of(e);
       for (std::size_t side = 0; side < faces.size(); ++side) {
-        const Index face = faces[turned[at(e)] ? before[side] : side];
+        const Index face = faces[turned[at(e)] && !before.empty() ? before[side] : side];
         const auto [first, second] = pairs.elements[at(face)];
         const Index other = first == e ? second : first;
         *value++ = other < 0 ? -1 : places[at(other)];
@@ -355,15 +362,14 @@ class LinkCheck {
     seen_from_[at(star.front())] = node;
     for (std::size_t head = 0; head < reached_.size(); ++head) {
       const Index e = reached_[head];
-      for (const Index face :
-           faces_at(stars_.types[at(e)], index_of(stars_.order.corners[e], node))) {
+      for_faces_at(stars_.shape(e), index_of(stars_.order.corners[e], node), [&](Index face) {
         const Index other = beside_[e][at(face)];
         ++sides;
         if (other < 0)
           ++open;
         else if (std::exchange(seen_from_[at(other)], node) != node)
           reached_.push_back(other);
-      }
+      });
     }
     const Index faces = (sides + open) / 2;
     return std::ssize(reached_) == std::ssize(star) && edges - faces + count == (open > 0 ? 1 : 2);
@@ -386,12 +392,18 @@ CompressedRows star_rows(const CompressedRows& elements, Index node_count) {
   });
 }
 
-OrderedStars::OrderedStars(const MeshData& data, const CompressedRows& corners)
+OrderedStars::OrderedStars(const MeshData& data, const Topology& of)
     : order(SpacePoints(data.coordinates), data.node_count(), box_around(data.coordinates),
-            corners),
-      elements(star_rows(order.corners, data.node_count())) {
+            of.elements()),
+      elements(star_rows(order.corners, data.node_count())),
+      topology(&of) {
   types.reserve(order.elements.size());
   for (const Index e : order.elements) types.push_back(data.types[at(e)]);
+}
+
+const ElementShape& OrderedStars::shape(Index k) const {
+  const ElementType type = types[at(k)];
+  return type == ElementType::polyhedron ? topology->shape(order.elements[at(k)]) : shape_of(type);
 }
 
 CompressedRows volume_neighbours(const OrderedStars& stars) { return NeighbourRows(stars).make(); }

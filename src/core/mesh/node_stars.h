@@ -40,12 +40,16 @@ CompressedRows star_rows(const CompressedRows& elements, Index node_count);
 
 /// The elements around each node of a volume mesh, by the numbers of a CurveOrder.
 struct OrderedStars {
-  /// corners: of the oriented elements.
-  OrderedStars(const MeshData& data, const CompressedRows& corners);
+  /// topology: with its oriented elements.
+  OrderedStars(const MeshData& data, const Topology& topology);
+
+  /// The shape of an element, by its number in the order.
+  const ElementShape& shape(Index k) const;
 
   CurveOrder order;
   CompressedRows elements;  ///< around nodes
   std::vector<ElementType> types;
+  const Topology* topology;
 };
 
 /// Edge neighbours of each node of the mesh, ascending.

@@ -77,7 +77,10 @@ SurfaceEdges surface_edges(std::span<const SurfaceFace> faces) {
 
 Vec3 area_vector(const SpacePoints& x, const Face& face) {
   if (face.size() == 4) return 0.5 * (x[face[2]] - x[face[0]]).cross(x[face[3]] - x[face[1]]);
-  return 0.5 * (x[face[1]] - x[face[0]]).cross(x[face[2]] - x[face[0]]);
+  Vec3 sum = (x[face[1]] - x[face[0]]).cross(x[face[2]] - x[face[0]]);
+  for (std::size_t k = 3; k < face.size(); ++k)
+    sum += (x[face[k - 1]] - x[face[0]]).cross(x[face[k]] - x[face[0]]);
+  return 0.5 * sum;
 }
 
 Vec3 star_normal(const Topology& topology, const SpacePoints& x, Index node) {

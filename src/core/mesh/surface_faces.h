@@ -33,7 +33,8 @@ struct SurfaceEdges {
 SurfaceEdges surface_edges(std::span<const SurfaceFace> faces);
 
 /// Area vector of a face: its length is the area, and it points to the side from which the face is
-/// counter-clockwise. For a quadrilateral it is half the cross product of the diagonals.
+/// counter-clockwise. It depends on the edges alone, also of a face that is not plane; for a
+/// quadrilateral it is half the cross product of the diagonals.
 Vec3 area_vector(const SpacePoints& x, const Face& face);
 Vec3 centre_of(const SpacePoints& x, const Face& face);  ///< mean of the corners
 /// Unit normal of a surface mesh at a node, along the sum of the area vectors of the elements

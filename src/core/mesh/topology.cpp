@@ -16,6 +16,7 @@ class TopologyBuilder {
 
  private:
   void orient_elements();
+  void make_polyhedra();
   void build_surface();
   void build_volume();
   void make_markers();
@@ -94,10 +95,37 @@ const HalfEdgeMesh& Topology::half_edges() const {
 std::size_t Topology::bytes() const {
   std::size_t sum = bytes_of(types_, elements_, neighbours_, star_, on_boundary_, interior_nodes_,
                              edges_, volume_faces_, element_region_);
+  for (const auto& polyhedron : polyhedra_) sum += polyhedron->bytes();
   for (const auto& loop : loops_) sum += bytes_of(loop);
   for (const Marker& marker : markers_) sum += bytes_of(marker.faces);
   for (const RegionInterface& meeting : interfaces_) sum += bytes_of(meeting.faces, meeting.nodes);
   return sum;
+}
+
+void MeshData::add_polyhedron(std::span<const Face> of_element) {
+  std::vector<Index> corners;
+  for (const Face& face : of_element)
+    for (const Index node : face) corners.push_back(node);
+  // Each once, in the order in which they come first.
+  std::vector<std::pair<Index, std::size_t>> first;
+  for (std::size_t k = 0; k < corners.size(); ++k) first.emplace_back(corners[k], k);
+  std::ranges::sort(first);
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < first.size(); ++k)
+    if (k == 0 || first[k].first != first[k - 1].first) places.push_back(first[k].second);
+  std::ranges::sort(places);
+  std::vector<Index> own;
+  for (const std::size_t k : places) own.push_back(corners[k]);
+  add_polyhedron(own, of_element);
+}
+
+void MeshData::add_polyhedron(std::span<const Index> corners, std::span<const Face> of_element) {
+  if (face_offsets.empty()) face_offsets.assign(element_offsets.size(), 0);
+  types.push_back(ElementType::polyhedron);
+  element_nodes.insert(element_nodes.end(), corners.begin(), corners.end());
+  element_offsets.push_back(index_count(element_nodes.size(), "corners of elements"));
+  faces.insert(faces.end(), of_element.begin(), of_element.end());
+  face_offsets.push_back(index_count(faces.size(), "faces of polyhedra"));
 }
 
 const MeshWords& words_of(MeshKind kind) {
@@ -134,13 +162,38 @@ std::vector<Face> node_link(const Topology& topology, Index node) {
   link.reserve(topology.star(node).size());
   for (const Index e : topology.star(node)) {
     const auto corners = topology.element(e);
-    const ElementShape& shape = shape_of(topology.element_type(e));
-    link.push_back(by_nodes(shape.links[index_of(corners, node)], corners));
+    link.push_back(by_nodes(topology.shape(e).links[index_of(corners, node)], corners));
   }
   return link;
 }
 
 namespace {
+
+/// Throws MeshError for a polyhedron without faces of its own, with a face that has fewer than three
+/// nodes or one of them twice, or with one between other nodes than its corners.
+void check_faces(const MeshData& data, Index e) {
+  const std::string name = "element " + std::to_string(e) + ", a polyhedron, has ";
+  std::vector<Index> corners(data.element(e).begin(), data.element(e).end());
+  std::ranges::sort(corners);
+  if (std::ranges::adjacent_find(corners) != corners.end())
+    throw MeshError(MeshEntity::element, e, name + "a corner twice, expected distinct corners");
+  if (data.polyhedron(e).empty())
+    throw MeshError(MeshEntity::element, e, name + "no faces, expected four or more");
+  for (const Face& face : data.polyhedron(e)) {
+    if (face.size() < 3)
+      throw MeshError(MeshEntity::element, e,
+                      name + "a face of " + std::to_string(face.size()) +
+                          " nodes, expected three or more");
+    const Face sorted = face.sorted();
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+      throw MeshError(MeshEntity::element, e,
+                      name + "a face with a node twice: " + nodes_text(face));
+    if (!std::includes(corners.begin(), corners.end(), sorted.begin(), sorted.end()))
+      throw MeshError(MeshEntity::element, e,
+                      name + "a face with " + nodes_text(face) +
+                          ", expected nodes among its corners");
+  }
+}
 
 void check_type(const MeshData& data, Index e) {
   const ElementType type = data.types[static_cast<std::size_t>(e)];
@@ -152,6 +205,7 @@ void check_type(const MeshData& data, Index e) {
                         std::to_string(data.cell_dimension()) + " as element 0 is");
   }
   const std::size_t corners = data.element(e).size();
+  if (type == ElementType::polyhedron) return check_faces(data, e);
   if (corners != static_cast<std::size_t>(corner_count(type))) {
     throw MeshError(MeshEntity::element, e,
                     found + " with " + std::to_string(corners) + " corners, expected " +
@@ -162,13 +216,14 @@ void check_type(const MeshData& data, Index e) {
 void check_corners(const MeshData& data, Index e) {
   const Index nodes = data.node_count();
   const auto corners = data.element(e);
+  const bool many = data.types[at(e)] == ElementType::polyhedron;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     if (corners[k] < 0 || corners[k] >= nodes) {
       throw MeshError(MeshEntity::element, e,
                       "element " + std::to_string(e) + " uses node " + std::to_string(corners[k]) +
                           ", expected 0 to " + std::to_string(nodes - 1));
     }
-    for (std::size_t m = 0; m < k; ++m) {
+    for (std::size_t m = 0; m < (many ? 0 : k); ++m) {
       if (corners[m] == corners[k]) {
         throw MeshError(MeshEntity::element, e,
                         "element " + std::to_string(e) + " uses node " +
@@ -191,6 +246,34 @@ void check_elements(const MeshData& data) {
   for (Index e = 0; e < data.element_count(); ++e) {
     check_type(data, e);
     check_corners(data, e);
+  }
+}
+
+/// The shape of a polyhedron, of which the faces are to be turned.
+std::unique_ptr<const PolyhedronShape> polyhedron_of(const MeshData& data, Index e, bool turned) {
+  const auto corners = data.element(e);
+  std::vector<std::pair<Index, Index>> numbers;  // node, number of the corner
+  std::vector<Vec3> places;
+  for (const Index node : corners) {
+    numbers.emplace_back(node, static_cast<Index>(numbers.size()));
+    places.push_back(data.coordinates.xyz(node));
+  }
+  std::ranges::sort(numbers);
+  std::vector<Face> faces;
+  std::vector<Index> local;
+  for (const Face& given : data.polyhedron(e)) {
+    const Face face = turned ? given.reversed() : given;
+    local.clear();
+    for (const Index node : face)
+      local.push_back(
+          std::ranges::lower_bound(numbers, node, {}, &std::pair<Index, Index>::first)->second);
+    faces.emplace_back(std::span<const Index>(local));
+  }
+  try {
+    return std::make_unique<const PolyhedronShape>(faces, places);
+  } catch (const PolyhedronFault& fault) {
+    throw MeshError(MeshEntity::element, e,
+                    "element " + std::to_string(e) + ", a polyhedron, " + fault.text);
   }
 }
 
@@ -271,6 +354,21 @@ void TopologyBuilder::orient_elements() {
   topology_->reversed_ = static_cast<Index>(std::count(turned_.begin(), turned_.end(), true));
   topology_->elements_.offsets = data_.element_offsets;
   topology_->elements_.values = turned_elements(data_, turned_);
+  if (data_.has_polyhedra()) make_polyhedra();
+}
+
+void TopologyBuilder::make_polyhedra() {
+  std::vector<Index>& number = topology_->polyhedron_;
+  number.assign(at(data_.element_count()), -1);
+  Index count = 0;
+  for (Index e = 0; e < data_.element_count(); ++e)
+    if (data_.types[at(e)] == ElementType::polyhedron) number[at(e)] = count++;
+  topology_->polyhedra_.resize(at(count));
+  parallel_for(0, data_.element_count(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e)
+      if (number[at(e)] >= 0)
+        topology_->polyhedra_[at(number[at(e)])] = polyhedron_of(data_, e, turned_[at(e)]);
+  });
 }
 
 void TopologyBuilder::build_surface() {
@@ -300,7 +398,7 @@ void TopologyBuilder::build_volume() {
   });
   check_matching_faces(*topology_);
   topology_->star_ = star_rows(topology_->elements_, data_.node_count());
-  const OrderedStars stars(data_, topology_->elements_);
+  const OrderedStars stars(data_, *topology_);
   topology_->neighbours_ = volume_neighbours(stars);
   check_volume_manifold(*topology_, stars, pairs_, turned_);
 }

@@ -6,6 +6,7 @@
 #include "core/mesh/element_type.h"
 #include "core/mesh/index_sets.h"
 #include "core/mesh/mesh_data.h"
+#include "core/mesh/polyhedron.h"
 #include "core/types.h"
 
 /// The connectivity of a mesh:
@@ -26,8 +27,8 @@ class HalfEdgeMesh;  // OpenMesh connectivity; see core/mesh/half_edge.h
 /// element with the other orientation in the file keeps its first node, and its other nodes are
 /// mirrored.
 ///
-/// A face separates two elements: it is an edge of a plane or surface mesh, a triangle or a
-/// quadrilateral of a volume mesh.
+/// A face separates two elements: it is an edge of a plane or surface mesh, a polygon of a volume
+/// mesh.
 class Topology {
  public:
   /// Builds connectivity from raw arrays. Throws MeshError: elements of different dimensions, or of
@@ -48,6 +49,13 @@ class Topology {
   Index element_count() const { return static_cast<Index>(types_.size()); }
 
   ElementType element_type(Index e) const { return types_[static_cast<std::size_t>(e)]; }
+  std::span<const ElementType> element_types() const { return types_; }
+  /// Edges, faces and tetrahedra of an element.
+  const ElementShape& shape(Index e) const {
+    return element_type(e) == ElementType::polyhedron ? polyhedra_[at(polyhedron_[at(e)])]->shape()
+                                                      : shape_of(element_type(e));
+  }
+  bool has_polyhedra() const { return !polyhedra_.empty(); }
   /// Corners of an element, numbered as in its ElementShape.
   std::span<const Index> element(Index e) const { return elements_[e]; }
   const CompressedRows& elements() const { return elements_; }
@@ -126,6 +134,8 @@ class Topology {
   MeshKind kind_ = MeshKind::plane;
   int space_dimension_ = 2;
   std::vector<ElementType> types_;
+  std::vector<std::unique_ptr<const PolyhedronShape>> polyhedra_;
+  std::vector<Index> polyhedron_;  // #elements: index into polyhedra_, or -1; empty: none
   CompressedRows elements_;
   CompressedRows neighbours_;
   CompressedRows star_;

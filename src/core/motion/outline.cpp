@@ -197,8 +197,9 @@ std::vector<FacetNodes<D>> facets_of(const Face& face) {
   if constexpr (D == 2) {
     return {face.edge()};
   } else {
-    std::vector<FacetNodes<D>> facets{{face[0], face[1], face[2]}};
-    if (face.size() == 4) facets.push_back({face[0], face[2], face[3]});
+    std::vector<FacetNodes<D>> facets;
+    for (std::size_t k = 1; k + 1 < face.size(); ++k)
+      facets.push_back({face[0], face[k], face[k + 1]});
     return facets;
   }
 }

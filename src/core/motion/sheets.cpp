@@ -373,12 +373,15 @@ class Sheets {
     if constexpr (D == 2) {
       return {face.edge()};
     } else {
-      if (face.size() == 3) return {{face[0], face[1], face[2]}};
+      const std::size_t n = face.size();
+      if (n == 3) return {{face[0], face[1], face[2]}};
       std::size_t k = 0;
-      for (std::size_t j = 1; j < 4; ++j)
+      for (std::size_t j = 1; j < n; ++j)
         if (folded_.place(face[j]) < folded_.place(face[k])) k = j;
-      const auto node = [&](std::size_t j) { return face[(k + j) % 4]; };
-      return {{node(0), node(1), node(2)}, {node(0), node(2), node(3)}};
+      const auto node = [&](std::size_t j) { return face[(k + j) % n]; };
+      std::vector<FacetNodes<D>> facets;
+      for (std::size_t j = 1; j + 1 < n; ++j) facets.push_back({node(0), node(j), node(j + 1)});
+      return facets;
     }
   }
 

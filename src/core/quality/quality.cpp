@@ -51,7 +51,7 @@ auto with_element(const Mesh& mesh, std::span<const Vec3> normals, Index e, cons
   const Topology& topology = *mesh.topology;
   if (topology.kind() != MeshKind::volume)
     return use(corners_of(topology, mesh.coordinates, normals, e));
-  return use(VolumeElement(mesh.coordinates, topology.element_type(e), topology.element(e)));
+  return use(VolumeElement(mesh.coordinates, topology.shape(e), topology.element(e)));
 }
 
 std::span<const Corner> corners_in(const ElementCorners& element) { return element.span(); }
@@ -269,7 +269,7 @@ Validity check_elements(Index n, int threads, const Add& add) {
 
 Validity check_volume(const Topology& topology, const Coordinates& coordinates, int threads) {
   return check_elements(topology.element_count(), threads, [&](Index e, Validity& sum) {
-    const VolumeElement element(coordinates, topology.element_type(e), topology.element(e));
+    const VolumeElement element(coordinates, topology.shape(e), topology.element(e));
     sum.inverted += element.inverted() ? 1 : 0;
     if (!all_on_boundary(topology, e))
       sum.min_sine = std::min(sum.min_sine, element.scaled_jacobian());
@@ -301,7 +301,7 @@ Validity check_plane(const Topology& topology, const Coordinates& coordinates, i
 
 bool is_inverted(const Topology& topology, const Coordinates& coordinates, Index e) {
   if (topology.kind() == MeshKind::volume)
-    return VolumeElement(coordinates, topology.element_type(e), topology.element(e)).inverted();
+    return VolumeElement(coordinates, topology.shape(e), topology.element(e)).inverted();
   return corners_of(topology, coordinates, {}, e).inverted();
 }
 

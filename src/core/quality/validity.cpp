@@ -152,7 +152,7 @@ double largest_valid_step(const Topology& topology, const Coordinates& from, con
   if (topology.kind() == MeshKind::volume) {
     const SpacePoints before(from), after(to);
     return smallest_step(topology.element_count(), most, threads, [&](Index e, double smallest) {
-      for (const auto& corner : corner_tetrahedra(topology.element_type(e))) {
+      for (const auto& corner : topology.shape(e).corner_tetrahedra) {
         const auto tetrahedron = by_nodes(corner, topology.element(e));
         smallest = std::min(smallest, tetrahedron_step(tetrahedron, before, after, smallest));
       }

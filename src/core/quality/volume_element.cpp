@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <limits>
 
+#include "core/mesh/polyhedron.h"
+
 namespace winslow {
 
 namespace {
@@ -49,32 +51,52 @@ const std::vector<RegularCorner>& regular(ElementType type) {
   return lists[static_cast<std::size_t>(type)];
 }
 
+/// The corner of a polyhedron if it were regular; that of a cube where this is not known.
+RegularCorner regular_of(const std::array<std::uint8_t, 3>& face_sizes) {
+  const auto edges = face_sizes[0] > 0
+                         ? regular_corner(face_sizes)
+                         : std::array<Vec3, 3>{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  const VolumeCorner corner(Vec3::Zero(), edges[0], edges[1], edges[2]);
+  return {corner.edges.inverse(), scaled_determinant(corner), radius_ratio_of(corner)};
+}
+
+/// Calls visit(corner, corner of the regular element) for the corners of an element, until one of
+/// the calls returns false.
+template <typename Visit>
+void visit_corners(const SpacePoints& x, const ElementShape& shape, std::span<const Index> corners,
+                   const Visit& visit) {
+  const auto tetrahedra = shape.corner_tetrahedra;
+  const bool fixed = shape.type != ElementType::polyhedron;
+  for (std::size_t k = 0; k < tetrahedra.size(); ++k) {
+    const VolumeCorner corner(x, by_nodes(tetrahedra[k], corners));
+    if (!(fixed ? visit(corner, regular(shape.type)[k])
+                : visit(corner, regular_of(shape.face_sizes[k]))))
+      return;
+  }
+}
+
 /// Largest value of measure(corner, corner of the regular element); infinite if a corner is
 /// inverted.
 template <typename Measure>
-double largest_of_corners(const SpacePoints& x, ElementType type, std::span<const Index> corners,
-                          Measure&& measure) {
+double largest_of_corners(const SpacePoints& x, const ElementShape& shape,
+                          std::span<const Index> corners, Measure&& measure) {
   double largest = 0;
-  const auto tetrahedra = corner_tetrahedra(type);
-  for (std::size_t k = 0; k < tetrahedra.size(); ++k) {
-    const VolumeCorner corner(x, by_nodes(tetrahedra[k], corners));
-    if (corner.inverted()) return unbounded;
-    largest = std::max(largest, measure(corner, regular(type)[k]));
-  }
+  visit_corners(x, shape, corners, [&](const VolumeCorner& corner, const RegularCorner& best) {
+    largest = corner.inverted() ? unbounded : std::max(largest, measure(corner, best));
+    return largest < unbounded;
+  });
   return largest;
 }
 
 }  // namespace
 
-bool VolumeElement::inverted() const { return !has_positive_jacobian(x_, type_, corners_); }
+bool VolumeElement::inverted() const { return !has_positive_jacobian(x_, shape_, corners_); }
 
 double VolumeElement::scaled_jacobian() const {
   double smallest = unbounded;
-  const auto tetrahedra = corner_tetrahedra(type_);
-  for (std::size_t k = 0; k < tetrahedra.size(); ++k) {
-    const VolumeCorner corner(x_, by_nodes(tetrahedra[k], corners_));
+  visit_corners(x_, shape_, corners_, [&](const VolumeCorner& corner, const RegularCorner& best) {
     double scaled = scaled_determinant(corner);
-    if (type_ == ElementType::tetrahedron) {
+    if (shape_.like == ElementType::tetrahedron) {
       // All four corners have the same determinant: the one with the longest edges is the smallest.
       const auto length = [&](int i, int j) {
         return (corner.edges.col(i) - corner.edges.col(j)).norm();
@@ -86,20 +108,22 @@ double VolumeElement::scaled_jacobian() const {
           std::max({l1 * l2 * l3, l1 * l12 * l13, l2 * l12 * l23, l3 * l13 * l23});
       scaled = longest > 0 ? corner.determinant / longest : 0;
     }
-    smallest = std::min(smallest, scaled / regular(type_)[k].scaled_determinant);
-  }
-  return smallest;
+    smallest = std::min(smallest, scaled / best.scaled_determinant);
+    return true;
+  });
+  // A polyhedron of flat corners has no other measure of its shape.
+  return smallest < unbounded ? smallest : inverted() ? 0 : 1;
 }
 
 double VolumeElement::radius_ratio() const {
-  return largest_of_corners(x_, type_, corners_,
+  return largest_of_corners(x_, shape_, corners_,
                             [](const VolumeCorner& corner, const RegularCorner& best) {
                               return radius_ratio_of(corner) / best.radius_ratio;
                             });
 }
 
 double VolumeElement::condition_number() const {
-  return largest_of_corners(x_, type_, corners_,
+  return largest_of_corners(x_, shape_, corners_,
                             [](const VolumeCorner& corner, const RegularCorner& best) {
                               const Eigen::Matrix3d j = corner.edges * best.inverse;
                               return j.norm() * j.inverse().norm() / 3;
@@ -107,12 +131,14 @@ double VolumeElement::condition_number() const {
 }
 
 double VolumeElement::solid_angle(std::size_t corner) const {
-  const Face link = shape_of(type_).links[corner];
+  const Face& link = shape_.links[corner];
   const Vec3 p = x_[corners_[corner]];
   const auto edge = [&](std::size_t k) { return Vec3(x_[corners_[at(link[k])]] - p); };
   double sum = 0;
   for (std::size_t k = 1; k + 1 < link.size(); ++k)
     sum += solid_angle_of(edge(0), edge(k), edge(k + 1));
+  // The formula knows an angle up to whole spheres.
+  if (shape_.type == ElementType::polyhedron && sum < 0) sum += 4 * pi;
   return sum;
 }
 
@@ -128,15 +154,16 @@ const VolumeElement::SolidAngles& VolumeElement::solid_angles() const {
 }
 
 double VolumeElement::volume() const {
-  return signed_volume6(coordinates_, type_, corners_, x_[corners_[0]]) / 6;
+  return signed_volume6(coordinates_, shape_, corners_, x_[corners_[0]]) / 6;
 }
 
 namespace {
 
 double determinant(const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot(b.cross(c)); }
 
-bool corners_positive(const SpacePoints& x, ElementType type, std::span<const Index> corners) {
-  for (const auto& corner : corner_tetrahedra(type)) {
+bool corners_positive(const SpacePoints& x, const ElementShape& shape,
+                      std::span<const Index> corners) {
+  for (const auto& corner : shape.corner_tetrahedra) {
     if (VolumeCorner(x, by_nodes(corner, corners)).inverted()) return false;
   }
   return true;
@@ -263,12 +290,64 @@ bool hexahedron_positive(const SpacePoints& x, std::span<const Index> corners) {
   return positive_over(bernstein(values), divisions);
 }
 
+/// Centre and area vector of a face of any number of corners, which need not be plane: of the
+/// triangles about the mean of its corners (OpenFOAM, primitiveMesh::makeFaceCentresAndAreas).
+struct FaceCentre {
+  Vec3 centre, area;
+
+  FaceCentre(const SpacePoints& x, const Face& face, std::span<const Index> corners) {
+    const auto place = [&](std::size_t k) { return x[corners[at(face[k % face.size()])]]; };
+    const std::size_t n = face.size();
+    Vec3 middle = Vec3::Zero();
+    for (std::size_t k = 0; k < n; ++k) middle += place(k);
+    middle /= static_cast<double>(n);
+    area = Vec3::Zero();
+    for (std::size_t k = 0; k < n; ++k) area += 0.5 * (place(k) - middle).cross(place(k + 1) - middle);
+    const Vec3 normal = area.normalized();
+    Vec3 sum = Vec3::Zero();
+    double weights = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec3 a = place(k), b = place(k + 1);
+      const double weight = (a - middle).cross(b - middle).dot(normal);
+      sum += weight * (a + b + middle) / 3;
+      weights += weight;
+    }
+    centre = weights > 0 ? Vec3(sum / weights) : middle;
+  }
+};
+
+/// Whether the centroid of a polyhedron lies behind all its faces.
+bool pyramids_positive(const SpacePoints& x, const ElementShape& shape,
+                       std::span<const Index> corners) {
+  std::vector<FaceCentre> faces;
+  Vec3 estimate = Vec3::Zero();
+  for (const Face& face : shape.faces) {
+    faces.emplace_back(x, face, corners);
+    estimate += faces.back().centre;
+  }
+  estimate /= static_cast<double>(faces.size());
+  Vec3 centre = Vec3::Zero();
+  double volume3 = 0;
+  for (const FaceCentre& face : faces) {
+    const double pyramid3 = face.area.dot(face.centre - estimate);
+    centre += pyramid3 * (0.75 * face.centre + 0.25 * estimate);
+    volume3 += pyramid3;
+  }
+  if (!(volume3 > 0)) return false;
+  centre /= volume3;
+  return std::ranges::all_of(faces, [&](const FaceCentre& face) {
+    return face.area.dot(face.centre - centre) > 0;
+  });
+}
+
 }  // namespace
 
-bool has_positive_jacobian(const SpacePoints& x, ElementType type, std::span<const Index> corners) {
-  if (!corners_positive(x, type, corners)) return false;
-  if (type == ElementType::prism) return prism_positive(x, corners);
-  if (type == ElementType::hexahedron) return hexahedron_positive(x, corners);
+bool has_positive_jacobian(const SpacePoints& x, const ElementShape& shape,
+                           std::span<const Index> corners) {
+  if (!corners_positive(x, shape, corners)) return false;
+  if (shape.type == ElementType::prism) return prism_positive(x, corners);
+  if (shape.type == ElementType::hexahedron) return hexahedron_positive(x, corners);
+  if (shape.type == ElementType::polyhedron) return pyramids_positive(x, shape, corners);
   return true;
 }
 

@@ -37,8 +37,9 @@ inline double solid_angle_of(const Vec3& a, const Vec3& b, const Vec3& c) {
 /// of the regular element (regular_corners()): unit edges, equilateral triangles, square faces.
 class VolumeElement {
  public:
-  VolumeElement(const Coordinates& x, ElementType type, std::span<const Index> corners)
-      : coordinates_(x), x_(x), type_(type), corners_(corners) {}
+  /// shape: must outlive this.
+  VolumeElement(const Coordinates& x, const ElementShape& shape, std::span<const Index> corners)
+      : coordinates_(x), x_(x), shape_(shape), corners_(corners) {}
 
   bool inverted() const;  ///< the Jacobian is not positive everywhere
   double scaled_jacobian() const;
@@ -58,7 +59,7 @@ class VolumeElement {
 
   const Coordinates& coordinates_;
   SpacePoints x_;
-  ElementType type_;
+  const ElementShape& shape_;
   std::span<const Index> corners_;
   mutable std::optional<SolidAngles> solid_angles_;
 };
@@ -77,6 +78,9 @@ class VolumeElement {
 ///   times (A. Johnen, J.-F. Remacle, C. Geuzaine, J. Comput. Phys. 233, 2013). If it is still
 ///   undecided it counts as not positive: the minimum is then within about 1e-6 of the largest
 ///   value from zero.
-bool has_positive_jacobian(const SpacePoints& x, ElementType type, std::span<const Index> corners);
+/// - polyhedron: its corner tetrahedra are positive, and so are the pyramids from its centroid over
+///   its faces, as OpenFOAM asks (checkMesh, "face pyramids").
+bool has_positive_jacobian(const SpacePoints& x, const ElementShape& shape,
+                           std::span<const Index> corners);
 
 }  // namespace winslow

@@ -11,8 +11,8 @@ namespace winslow {
 namespace {
 
 /// Volume (in the plane: area) that a corner stands for, over the determinant of its edges.
-double share_of_corner(ElementType type) {
-  switch (type) {
+double share_of_corner(const ElementShape& shape) {
+  switch (shape.like) {
     case ElementType::triangle:
       return 1.0 / 2;
     case ElementType::quadrilateral:
@@ -21,6 +21,8 @@ double share_of_corner(ElementType type) {
       return 1.0 / 6;
     case ElementType::hexahedron:
       return 1.0 / 8;
+    case ElementType::polyhedron:
+      return 1.0 / static_cast<double>(std::max<std::size_t>(1, shape.corner_tetrahedra.size()));
     default:
       return 1.0 / 12;  // pyramid, prism
   }
@@ -53,13 +55,13 @@ std::size_t pair_of(std::size_t i, std::size_t j) { return j * (j - 1) / 2 + i; 
 template <int D, typename Visit>
 void visit_simplices(const Topology& topology, const Coordinates& x, Index e, const Visit& visit) {
   const std::size_t n = topology.element(e).size();
-  const ElementType type = topology.element_type(e);
+  const ElementShape& shape = topology.shape(e);
   const auto visit_corner = [&](const auto& corners) {
     const Simplex<D> simplex(corners, topology.element(e), x);
-    if (simplex.size > 0) visit(simplex, share_of_corner(type) * simplex.size);
+    if (simplex.size > 0) visit(simplex, share_of_corner(shape) * simplex.size);
   };
   if constexpr (D == 3) {
-    for (const auto& corner : corner_tetrahedra(type)) visit_corner(corner);
+    for (const auto& corner : shape.corner_tetrahedra) visit_corner(corner);
   } else {
     for (std::size_t k = 0; k < (n == 3 ? 1 : n); ++k)
       visit_corner(std::array<std::size_t, 3>{k, (k + 1) % n, (k + n - 1) % n});

@@ -25,7 +25,7 @@ double flatness(const Mesh& mesh, const Face& face, Index element) {
   const ElementType type = topology.element_type(element);
   const auto corners = topology.element(element);
   const double measure = plane ? std::abs(signed_area2(x, corners)) / 2
-                               : std::abs(signed_volume6(x, type, corners, x.xyz(face[0]))) / 6;
+                               : std::abs(signed_volume6(x, topology.shape(element), corners, x.xyz(face[0]))) / 6;
   const double area =
       plane ? (x.xy(face[1]) - x.xy(face[0])).norm() : area_vector(SpacePoints(x), face).norm();
   const bool pointed = plane ? type == ElementType::triangle

@@ -61,7 +61,7 @@ bool Untangling::guard_inside(const Coordinates& x) {
   if (topology.cell_dimension() < 3) return false;
   std::vector<Index> inside;
   for (Index e = 0; e < topology.element_count(); ++e) {
-    const VolumeElement element(x, topology.element_type(e), topology.element(e));
+    const VolumeElement element(x, topology.shape(e), topology.element(e));
     if (element.scaled_jacobian() > 0 && element.inverted()) inside.push_back(e);
   }
   return workspace_.guard(inside);

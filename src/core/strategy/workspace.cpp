@@ -68,7 +68,7 @@ bool SmoothingWorkspace::drop_guards_broken_at(const Coordinates& x) {
   const Topology& topology = classes_->topology();
   const auto broken = [&](Index e) {
     const SpacePoints points(x);
-    return std::ranges::any_of(edge_tetrahedra(topology.element_type(e)), [&](const auto& corners) {
+    return std::ranges::any_of(topology.shape(e).edge_tetrahedra, [&](const auto& corners) {
       return VolumeCorner(points, by_nodes(corners, topology.element(e))).inverted();
     });
   };

@@ -79,7 +79,7 @@ class MeshPanel {
     if (counts_.unused_nodes > 0)
       ui::figure("  unused", grouped(counts_.unused_nodes), "Nodes that no element has.");
     ui::figure("Elements", grouped(topology.element_count()), "All elements of the mesh.");
-    for (const ElementType type : all_element_types) {
+    for (const ElementType type : fixed_element_types) {
       const Index count = counts_.of_type[static_cast<std::size_t>(type)];
       if (count == 0) continue;
       ui::figure("  " + plural_of(type), grouped(count), "Elements of this kind.");
@@ -114,7 +114,7 @@ class MeshPanel {
   /// Counts for one connectivity.
   struct Counts {
     std::shared_ptr<const Topology> topology;
-    std::array<Index, all_element_types.size()> of_type{};
+    std::array<Index, element_type_count> of_type{};
     Index boundary_nodes = 0, unused_nodes = 0;
   };
   Counts counts_;

@@ -8,7 +8,7 @@ namespace {
 /// Faces that belong to one element only, in the order of the elements.
 std::vector<Face> boundary_faces(const MeshData& mesh) {
   struct Side {
-    std::array<Index, 4> key;
+    Face key;
     Index element, local;
   };
   std::vector<Side> sides;
@@ -70,7 +70,7 @@ std::vector<Face> BoundaryByNodes::faces_between(const std::vector<bool>& nodes)
 
 namespace {
 
-using FaceKey = std::array<Index, 4>;
+using FaceKey = Face;
 
 /// The family of a boundary condition or a part of a zone; empty: it has none.
 std::string family_of(const NodeView& owner) {

@@ -34,7 +34,7 @@ Index above(Index corner, const Face& base, std::span<const Face> faces) {
 
 /// True if the faces of the element are these.
 bool same_faces(const CellOfFaces& cell, std::span<const Face> faces) {
-  std::vector<std::array<Index, 4>> own, given;
+  std::vector<Face> own, given;
   for (const Face& face : shape_of(cell.type).faces)
     own.push_back(by_nodes(face, cell.corners).sorted());
   for (const Face& face : faces) given.push_back(face.sorted());
@@ -62,6 +62,13 @@ std::optional<CellOfFaces> cell_of_faces(std::span<const Face> faces) {
   if (std::ranges::find(cell.corners, -1) != cell.corners.end()) return std::nullopt;
   if (!same_faces(cell, faces)) return std::nullopt;
   return cell;
+}
+
+void add_cell_of_faces(std::span<const Face> faces, MeshData& data) {
+  if (std::ranges::all_of(faces, [](const Face& face) { return face.size() <= 4; })) {
+    if (const auto cell = cell_of_faces(faces)) return data.add_element(cell->type, cell->corners);
+  }
+  data.add_polyhedron(faces);
 }
 
 }  // namespace winslow::io

@@ -4,8 +4,7 @@
 
 /// For formats that say of a cell only which faces it has (OpenFOAM's polyMesh, NFACE_n of CGNS):
 ///
-///     const auto cell = cell_of_faces(faces);
-///     if (cell) mesh.add_element(cell->type, cell->corners);
+///     add_cell_of_faces(faces, data);
 namespace winslow::io {
 
 /// An element that was put together from its faces.
@@ -19,5 +18,9 @@ struct CellOfFaces {
 /// the first node of the first triangle (pyramid: of the quadrilateral; hexahedron: of the first
 /// face).
 std::optional<CellOfFaces> cell_of_faces(std::span<const Face> faces);
+
+/// Adds the element with these faces: a tetrahedron, pyramid, prism or hexahedron if it is one,
+/// else a polyhedron.
+void add_cell_of_faces(std::span<const Face> faces, MeshData& data);
 
 }  // namespace winslow::io

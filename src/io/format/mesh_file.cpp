@@ -16,7 +16,7 @@ namespace winslow::io {
 namespace {
 
 struct Named {
-  std::array<Index, 4> nodes;
+  Face nodes;
   std::size_t marker;
 };
 
@@ -95,8 +95,26 @@ std::size_t place_of(const MeshError& error, const SourceMap& where) {
   return 0;
 }
 
+/// "OpenFOAM (foam), VTK (vtu)"
+std::string formats_with_polyhedra() {
+  std::string text;
+  for (const MeshFormat* format : mesh_formats())
+    if (format->polyhedra)
+      text += (text.empty() ? "" : ", ") + std::string(format->title) + " (" +
+              std::string(format->name) + ")";
+  return text;
+}
+
 void check_dimension(const std::filesystem::path& path, const Topology& topology,
                      const MeshFormat& format) {
+  if (topology.has_polyhedra() && !format.polyhedra) {
+    const auto& types = topology.element_types();
+    const auto count = std::ranges::count(types, ElementType::polyhedron);
+    throw UsageError(path.string() + ": " + std::string(format.title) + " files cannot hold the " +
+                     std::to_string(count) + (count == 1 ? " polyhedron" : " polyhedra") + " of this mesh of " +
+                     counted(types.size(), "element") + "; formats that can: " +
+                     formats_with_polyhedra());
+  }
   if (format.can_write(topology.kind())) return;
   throw UsageError(path.string() + ": " + std::string(format.title) + " files cannot hold a " +
                    std::string(mesh_kind(topology)));

@@ -48,6 +48,7 @@ struct MeshFormat {
   /// Indexed by MeshKind: true if such a mesh can be written. Surface formats write the boundary of
   /// a volume mesh.
   std::array<bool, 3> writes{true, true, true};
+  bool polyhedra = false;  ///< true: the format can hold cells with any faces
   bool keeps_markers = true;
   bool keeps_periodic = false;  ///< true: the writer itself handles periodic sides
   bool keeps_data = false;      ///< true: the writer itself handles the data arrays of a source

@@ -9,7 +9,7 @@ namespace winslow::io {
 namespace {
 
 /// The sorted nodes of a face.
-using Key = std::array<Index, 4>;
+using Key = Face;
 
 struct Item {
   ElementType type;

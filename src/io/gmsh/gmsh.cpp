@@ -26,7 +26,7 @@ Shape face_shape(const Face& face) {
 }
 
 ElementType element_of(Shape shape) {
-  for (const ElementType type : all_element_types) {
+  for (const ElementType type : fixed_element_types) {
     if (element_shape(type) == shape) return type;
   }
   return ElementType::triangle;

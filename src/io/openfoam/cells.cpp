@@ -1,5 +1,9 @@
 #include "io/openfoam/cells.h"
 
+#include <utility>
+
+#include "core/parallel/parallel_for.h"
+#include "core/quality/volume_element.h"
 #include "io/format/cell_of_faces.h"
 #include "io/openfoam/foam_file.h"
 
@@ -12,28 +16,14 @@ std::size_t place_of_cell(const PolyMesh& mesh, const std::vector<Index>& faces)
   return mesh.faces.places[at(first)];
 }
 
-[[noreturn]] void refuse(const Source& source, std::size_t place, Index cell,
-                         const std::string& shape) {
-  source.fail(place, "cell " + std::to_string(cell) + ", a polyhedron " + shape,
-              "tetrahedra, pyramids, prisms and hexahedra");
-}
-
-void add_cell(const Source& source, const PolyMesh& mesh, Index cell,
-              const std::vector<Index>& coded, ParsedMesh& out) {
+void add_cell(const PolyMesh& mesh, const std::vector<Index>& coded, ParsedMesh& out) {
   std::vector<Face> faces;
-  const std::size_t place = place_of_cell(mesh, coded);
   for (const Index f : coded) {
-    const Index face = f < 0 ? ~f : f;
-    const auto points = mesh.faces[face];
-    if (points.size() != 3 && points.size() != 4)
-      refuse(source, mesh.faces.places[at(face)], cell,
-             "with a face of " + std::to_string(points.size()) + " points");
-    faces.push_back(f < 0 ? Face(points).reversed() : Face(points));
+    const Face face(mesh.faces[f < 0 ? ~f : f]);
+    faces.push_back(f < 0 ? face.reversed() : face);
   }
-  const auto built = cell_of_faces(faces);
-  if (!built) refuse(source, place, cell, "of " + std::to_string(faces.size()) + " faces");
-  out.data.add_element(built->type, built->corners);
-  out.where.elements.push_back(place);
+  add_cell_of_faces(faces, out.data);
+  out.where.elements.push_back(place_of_cell(mesh, coded));
 }
 
 }  // namespace
@@ -43,8 +33,57 @@ void add_cells(const Source& source, const PolyMesh& mesh, ParsedMesh& out) {
   for (Index c = 0; c < mesh.cells; ++c) {
     if (faces_of[at(c)].empty())
       source.fail(mesh.owner_place, "no face of cell " + std::to_string(c), "four or more");
-    add_cell(source, mesh, c, faces_of[at(c)], out);
+    add_cell(mesh, faces_of[at(c)], out);
   }
+}
+
+namespace {
+
+/// Whether a cell is inverted as the element that it is, and sound as one of finite volumes.
+bool is_sound_by_faces(const MeshData& data, Index e) {
+  const auto corners = data.element(e);
+  const SpacePoints x(data.coordinates);
+  const ElementShape& shape = shape_of(data.types[at(e)]);
+  if (has_positive_jacobian(x, shape, corners)) return false;
+  std::vector<Vec3> places;
+  for (const Index node : corners) places.emplace_back(x[node]);
+  const PolyhedronShape by_faces(shape.faces, places);
+  return has_positive_jacobian(x, by_faces.shape(), corners);
+}
+
+}  // namespace
+
+void give_faces_to_flat_cells(MeshData& data) {
+  std::vector<unsigned char> by_faces(at(data.element_count()), 0);
+  parallel_for(0, data.element_count(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e)
+      if (data.types[at(e)] != ElementType::polyhedron)
+        by_faces[at(e)] = is_sound_by_faces(data, e) ? 1 : 0;
+  });
+  if (std::ranges::count(by_faces, 1) == 0) return;
+  MeshData out = std::move(data);
+  std::vector<ElementType> types = std::exchange(out.types, {});
+  const std::vector<Index> nodes = std::exchange(out.element_nodes, {});
+  const std::vector<Index> offsets = std::exchange(out.element_offsets, {0});
+  const std::vector<Face> faces = std::exchange(out.faces, {});
+  const std::vector<Index> face_offsets = std::exchange(out.face_offsets, {});
+  const auto row = [](const auto& values, const std::vector<Index>& begin, std::size_t k) {
+    return std::span(values).subspan(at(begin[k]), at(begin[k + 1] - begin[k]));
+  };
+  std::vector<Face> own;
+  for (std::size_t e = 0; e < types.size(); ++e) {
+    const auto corners = row(nodes, offsets, e);
+    if (types[e] == ElementType::polyhedron) {
+      out.add_polyhedron(corners, row(faces, face_offsets, e));
+    } else if (by_faces[e] == 0) {
+      out.add_element(types[e], corners);
+    } else {
+      own.clear();
+      for (const Face& face : shape_of(types[e]).faces) own.push_back(by_nodes(face, corners));
+      out.add_polyhedron(corners, own);
+    }
+  }
+  data = std::move(out);
 }
 
 namespace {

@@ -40,6 +40,8 @@ class Reader {
     out_.where.nodes = mesh().point_places;
     add_cells(source_, mesh(), out_);
     set_space_nodes(source_, mesh().xyz, out_);
+    // A mesh of elements alone keeps them: it is tangled.
+    if (out_.data.has_polyhedra()) give_faces_to_flat_cells(out_.data);
     for (const Patch& patch : mesh().patches) {
       Marker& marker = add_marker(patch.name);
       for (std::int64_t f = patch.first; f < patch.first + patch.count; ++f) {
@@ -118,7 +120,7 @@ class Reader {
   /// The edges on the axis of a wedge, for which no face stands, become a marker: a patch without
   /// faces if there is one, which is what blockMesh leaves of the axis.
   void add_axis() {
-    std::set<std::array<Index, 4>> edges;
+    std::set<Face> edges;
     for (Index e = 0; e < out_.data.element_count(); ++e) {
       const auto corners = out_.data.element(e);
       for (std::size_t k = 0; k < corners.size(); ++k) {

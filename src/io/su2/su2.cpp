@@ -15,7 +15,7 @@ struct FaceElement {
 constexpr std::array<FaceElement, 3> face_elements{{{3, 2, 1}, {5, 3, 2}, {9, 4, 2}}};
 
 std::optional<ElementType> any_element_of(std::int64_t number) {
-  for (const ElementType type : all_element_types) {
+  for (const ElementType type : fixed_element_types) {
     if (element_number(type) == number) return type;
   }
   return std::nullopt;

@@ -27,7 +27,7 @@ std::optional<ElementType> element_of(std::int64_t type, std::size_t corners) {
   if (type == polygon) type = corners == 3 ? triangle : quadrilateral;
   if (type == pixel) type = quadrilateral;
   if (type == voxel) type = hexahedron;
-  for (const ElementType element : all_element_types)
+  for (const ElementType element : fixed_element_types)
     if (cell_type_of(element) == type) return element;
   return std::nullopt;
 }

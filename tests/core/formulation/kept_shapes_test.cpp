@@ -217,7 +217,7 @@ TEST_CASE("keep: elements count as much as the simplices that fill them") {
   const double tetrahedron = std::sqrt(2.0) / 12;
   const auto weight = [](ElementType type) {
     const Eigen::Matrix3d& regular = regular_metrics(type)[0];
-    return kept_terms(type, regular, regular, 1).own.weight;
+    return kept_terms(shape_of(type), regular, regular, 1).own.weight;
   };
   CHECK(weight(ElementType::tetrahedron) == 1);
   CHECK(weight(ElementType::hexahedron) == doctest::Approx(1 / tetrahedron));

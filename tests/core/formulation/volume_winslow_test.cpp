@@ -405,7 +405,7 @@ TEST_CASE("some target of a guarded element is inverted wherever its Jacobian is
     }
     CHECK(corners > 0);
     if (step <= 10) CHECK(all > 0);
-    const VolumeElement shape(x, ElementType::hexahedron, element);
+    const VolumeElement shape(x, shape_of(ElementType::hexahedron), element);
     if (!shape.inverted()) continue;
     ++inverted;
     CHECK(all <= 0);

@@ -86,7 +86,7 @@ TEST_CASE("element types have the numbers of corners, edges and faces that they 
                                  {ElementType::pyramid, "pyramid", 3, 5, 8, 5, 1 / 3.0},
                                  {ElementType::prism, "prism", 3, 6, 9, 5, 0.5},
                                  {ElementType::hexahedron, "hexahedron", 3, 8, 12, 6, 1}};
-  CHECK(known.size() == all_element_types.size());
+  CHECK(known.size() == fixed_element_types.size());
   for (const Known& k : known) {
     CAPTURE(k.name);
     const ElementShape& shape = shape_of(k.type);
@@ -105,7 +105,7 @@ TEST_CASE("element types have the numbers of corners, edges and faces that they 
 }
 
 TEST_CASE("faces are flat, convex, and seen from outside counter-clockwise") {
-  for (const ElementType type : all_element_types) {
+  for (const ElementType type : fixed_element_types) {
     const ElementShape& shape = shape_of(type);
     CAPTURE(shape.name);
     for (const Face& face : shape.faces) {
@@ -126,7 +126,7 @@ TEST_CASE("faces are flat, convex, and seen from outside counter-clockwise") {
 }
 
 TEST_CASE("faces close: each edge is in exactly two, once in each direction; Euler's formula") {
-  for (const ElementType type : all_element_types) {
+  for (const ElementType type : fixed_element_types) {
     const ElementShape& shape = shape_of(type);
     CAPTURE(shape.name);
     const auto corners = static_cast<int>(shape.corners.size());
@@ -155,7 +155,7 @@ TEST_CASE("faces close: each edge is in exactly two, once in each direction; Eul
 }
 
 TEST_CASE("links hold the ends of the edges at a corner, in the order that faces away from it") {
-  for (const ElementType type : all_element_types) {
+  for (const ElementType type : fixed_element_types) {
     const ElementShape& shape = shape_of(type);
     CAPTURE(shape.name);
     for (std::size_t k = 0; k < shape.corners.size(); ++k) {
@@ -192,12 +192,12 @@ TEST_CASE("links hold the ends of the edges at a corner, in the order that faces
 }
 
 TEST_CASE("a mirrored element is turned inside out: the same faces from the other side") {
-  for (const ElementType type : all_element_types) {
+  for (const ElementType type : fixed_element_types) {
     const ElementShape& shape = shape_of(type);
     CAPTURE(shape.name);
     CHECK(shape.mirrored[0] == 0);
     std::vector<Face> mirrored;
-    std::set<std::array<Index, 4>> before, after;
+    std::set<Face> before, after;
     for (std::size_t k = 0; k < shape.corners.size(); ++k) {
       CHECK(shape.mirrored[at(shape.mirrored[k])] == static_cast<Index>(k));
     }
@@ -216,9 +216,9 @@ TEST_CASE("a face is a few nodes in cyclic order") {
   const Face quad{std::span<const Index>(nodes)};
   CHECK(quad == Face(7, 3, 9, 1));
   CHECK(quad.size() == 4);
-  CHECK(quad.sorted() == std::array<Index, 4>{1, 3, 7, 9});
+  CHECK(quad.sorted() == Face(1, 3, 7, 9));
   CHECK(quad.reversed() == Face(7, 1, 9, 3));
-  CHECK(Face(5, 2, 8).sorted() == std::array<Index, 4>{2, 5, 8, -1});
+  CHECK(Face(5, 2, 8).sorted() == Face(2, 5, 8));
   CHECK(Face(5, 2, 8).reversed() == Face(5, 8, 2));
   CHECK(Face(5, 2).reversed() == Face(2, 5));
   CHECK(Face(5, 2).edge() == std::array<Index, 2>{5, 2});

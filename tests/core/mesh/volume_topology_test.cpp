@@ -48,8 +48,8 @@ double volume(const MeshData& data, ElementType type, std::span<const Index> cor
 }
 
 /// The elements that have each face, by its sorted nodes.
-std::map<std::array<Index, 4>, std::vector<Index>> faces_by_brute_force(const MeshData& data) {
-  std::map<std::array<Index, 4>, std::vector<Index>> faces;
+std::map<Face, std::vector<Index>> faces_by_brute_force(const MeshData& data) {
+  std::map<Face, std::vector<Index>> faces;
   for (Index e = 0; e < data.element_count(); ++e) {
     for (const Face& face : faces_of(data, e)) faces[face.sorted()].push_back(e);
   }
@@ -200,7 +200,7 @@ TEST_CASE("every face is there once, with the elements beside it, seen from outs
       const auto topology = Topology::build(data);
       auto expected = faces_by_brute_force(data);
       CHECK(topology->face_count() == static_cast<Index>(expected.size()));
-      std::array<Index, 4> before{-1, -1, -1, -1};
+      Face before;
       for (Index f = 0; f < topology->face_count(); ++f) {
         const Topology::SharedFace face = topology->face(f);
         const auto key = face.nodes.sorted();
@@ -213,7 +213,7 @@ TEST_CASE("every face is there once, with the elements beside it, seen from outs
         // As the first element has it once it is oriented.
         const Index e = face.elements[0];
         bool own = false;
-        for (const Face& local : shape_of(topology->element_type(e)).faces) {
+        for (const Face& local : topology->shape(e).faces) {
           Face turned = by_nodes(local, topology->element(e));
           for (std::size_t k = 0; k < turned.size(); ++k) {
             own = own || turned == face.nodes;
@@ -384,9 +384,9 @@ TEST_CASE("a marker on faces inside a volume mesh constrains their nodes") {
 TEST_CASE("without markers each connected surface of the boundary becomes one") {
   for (const Volumes volumes : {Volumes::tetrahedra, Volumes::hexahedra}) {
     MeshData data = cube_with_cavity(3, volumes);
-    std::set<std::set<std::array<Index, 4>>> expected;
+    std::set<std::set<Face>> expected;
     for (const Marker& marker : data.markers) {
-      std::set<std::array<Index, 4>> faces;
+      std::set<Face> faces;
       for (const Face& face : marker.faces) faces.insert(face.sorted());
       expected.insert(faces);
     }
@@ -394,10 +394,10 @@ TEST_CASE("without markers each connected surface of the boundary becomes one") 
     const auto topology = Topology::build(data);
     CHECK_FALSE(topology->markers().from_file());
     REQUIRE(topology->markers().size() == 2);
-    std::set<std::set<std::array<Index, 4>>> found;
+    std::set<std::set<Face>> found;
     for (std::size_t m = 0; m < 2; ++m) {
       CHECK(topology->markers()[m].name == "boundary_" + std::to_string(m + 1));
-      std::set<std::array<Index, 4>> faces;
+      std::set<Face> faces;
       for (const Face& face : topology->markers()[m].faces) faces.insert(face.sorted());
       found.insert(faces);
     }

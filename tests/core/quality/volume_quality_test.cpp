@@ -31,7 +31,7 @@ struct Single {
       x.push_xyz(Vec3(place.data()));
     }
   }
-  VolumeElement element() const { return {x, type, corners}; }
+  VolumeElement element() const { return {x, shape_of(type), corners}; }
 };
 
 double determinant(const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot(b.cross(c)); }
@@ -184,7 +184,7 @@ TEST_CASE("the largest valid step of tetrahedra is where the first determinant v
       const SpacePoints points(x);
       double least = 1e300;
       for (Index e = 0; e < mesh.topology->element_count(); ++e) {
-        for (const auto& corner : corner_tetrahedra(mesh.topology->element_type(e))) {
+        for (const auto& corner : mesh.topology->shape(e).corner_tetrahedra) {
           const VolumeCorner at(points, by_nodes(corner, mesh.topology->element(e)));
           least = std::min(least, at.determinant);
         }

@@ -193,7 +193,7 @@ struct Polyhedra {
   std::vector<std::vector<cgsize_t>> cells;
 
   explicit Polyhedra(const MeshData& data) {
-    std::map<std::array<Index, 4>, cgsize_t> numbers;
+    std::map<Face, cgsize_t> numbers;
     for (Index e = 0; e < data.element_count(); ++e) {
       cells.emplace_back();
       for (const Face& side : shape_of(data.types[at(e)]).faces) {

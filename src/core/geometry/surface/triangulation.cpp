@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 
+#include "core/error.h"
 #include "core/mesh/index_sets.h"
 
 namespace winslow {
@@ -62,6 +63,8 @@ Vec3 paraboloid_normal(const Triangulation& surface, const CompressedRows& star,
   return normal.dot(rough) > least_cosine ? normal : rough;
 }
 
+constexpr std::size_t most_corners = 4096;  // of a face
+
 }  // namespace
 
 std::span<const std::array<std::size_t, 3>> triangles_of(const SpacePoints& x,
@@ -70,6 +73,18 @@ std::span<const std::array<std::size_t, 3>> triangles_of(const SpacePoints& x,
   static constexpr std::array<Corners, 2> first{{{0, 1, 2}, {0, 2, 3}}},
       second{{{0, 1, 3}, {1, 2, 3}}};
   if (f.size() == 3) return std::span(first).first(1);
+  if (f.size() > 4) {
+    // The triangles of a face of n corners about its first corner begin those of larger faces.
+    static const std::vector<Corners> fan = [] {
+      std::vector<Corners> list;
+      for (std::size_t k = 1; k < most_corners - 1; ++k) list.push_back({0, k, k + 1});
+      return list;
+    }();
+    if (f.size() > most_corners)
+      throw UsageError("a face of " + std::to_string(f.size()) + " nodes, expected at most " +
+                       std::to_string(most_corners));
+    return std::span(fan).first(f.size() - 2);
+  }
   const bool shorter = (x[f[2]] - x[f[0]]).squaredNorm() <= (x[f[3]] - x[f[1]]).squaredNorm();
   return shorter ? first : second;
 }

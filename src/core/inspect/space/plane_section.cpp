@@ -102,6 +102,7 @@ class OrderedMesh {
   Vec3 point(Index node) const { return index_ ? index_->places()[at(node)] : x_[node]; }
   /// The number of an element in the mesh.
   Index element(Index e) const { return index_ ? index_->order().elements[at(e)] : e; }
+  const ElementShape& shape(Index e) const { return mesh_.topology->shape(element(e)); }
   ElementType type(Index e) const { return mesh_.topology->element_type(element(e)); }
 
  private:
@@ -267,7 +268,7 @@ class Cutter {
     section_.polygons.values.reserve(4 * met.size());
     for (const Index e : met) {
       const auto corners = mesh_.corners(e);
-      if (corners.size() == 4)
+      if (mesh_.type(e) == ElementType::tetrahedron)
         cut_tetrahedron(e, corners);
       else
         cut_element(e, corners);
@@ -290,8 +291,6 @@ class Cutter {
     end_polygon(e, begin);
   }
 
-  static constexpr std::size_t most_edges = 12;
-
   /// An edge of an element that crosses the plane.
   struct Crossing {
     Index behind, front;  // nodes
@@ -303,15 +302,17 @@ class Cutter {
 
   std::size_t find_crossing(Index behind, Index front) {
     std::size_t k = 0;
-    while (k < count_ && (crossings_[k].behind != behind || crossings_[k].front != front)) ++k;
-    if (k == count_) crossings_[count_++] = {behind, front, 0, false};
+    while (k < crossings_.size() &&
+           (crossings_[k].behind != behind || crossings_[k].front != front))
+      ++k;
+    if (k == crossings_.size()) crossings_.push_back({behind, front, 0, false});
     return k;
   }
 
   void cut_element(Index e, std::span<const Index> corners) {
-    count_ = 0;
-    for (const Face& face : shape_of(mesh_.type(e)).faces) cut_face(by_nodes(face, corners));
-    for (std::size_t k = 0; k < count_; ++k)
+    crossings_.clear();
+    for (const Face& face : mesh_.shape(e).faces) cut_face(by_nodes(face, corners));
+    for (std::size_t k = 0; k < crossings_.size(); ++k)
       if (!crossings_[k].done) add_polygon(e, k);
   }
 
@@ -319,19 +320,20 @@ class Cutter {
   /// of the face (counter-clockwise from outside) leaves the front to one at which it enters the
   /// front: then the section is on its left seen from the front.
   void cut_face(const Face& face) {
-    std::array<std::size_t, 4> at_crossing{};
-    std::array<bool, 4> enters{};
-    std::size_t n = 0;
+    std::vector<std::size_t>& at_crossing = at_crossing_;
+    std::vector<unsigned char>& enters = enters_;
+    at_crossing.clear();
+    enters.clear();
     for (std::size_t k = 0; k < face.size(); ++k) {
       const Index a = face[k], b = face[(k + 1) % face.size()];
       if (in_front(a) == in_front(b)) continue;
-      enters[n] = in_front(b);
-      at_crossing[n] = enters[n] ? find_crossing(a, b) : find_crossing(b, a);
-      ++n;
+      enters.push_back(in_front(b) ? 1 : 0);
+      at_crossing.push_back(in_front(b) ? find_crossing(a, b) : find_crossing(b, a));
     }
-    const bool around_behind = n == 4 && front_joined(face);
+    const std::size_t n = enters.size();
+    const bool around_behind = face.size() > 4 || (n == 4 && front_joined(face));
     for (std::size_t k = 0; k < n; ++k) {
-      if (enters[k]) continue;
+      if (enters[k] != 0) continue;
       const std::size_t to = around_behind || n == 2 ? (k + 1) % n : (k + n - 1) % n;
       crossings_[at_crossing[k]].next = at_crossing[to];
     }
@@ -390,8 +392,9 @@ class Cutter {
 
   const OrderedMesh& mesh_;
   NodeSides& sides_;
-  std::array<Crossing, most_edges> crossings_{};
-  std::size_t count_ = 0;
+  std::vector<Crossing> crossings_;       // of an element
+  std::vector<std::size_t> at_crossing_;  // of a face
+  std::vector<unsigned char> enters_;     // of a face
   EdgePoints point_of_;
   PlaneSection section_;
 };

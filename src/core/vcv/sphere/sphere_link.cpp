@@ -116,22 +116,18 @@ void SphereLink::assign(const Topology& topology, Index node) {
     return static_cast<Index>(std::lower_bound(neighbours.begin(), neighbours.end(), other) -
                               neighbours.begin());
   };
+  std::vector<Index> v;  // the corners of a part of the link
   std::vector<Triangle> triangles;
   triangles.reserve(2 * neighbours.size());
   for (const Index e : topology.star(node)) {
     const auto corners = topology.element(e);
     const auto corner = std::find(corners.begin(), corners.end(), node) - corners.begin();
-    const Face& cut = shape_of(topology.element_type(e)).links[static_cast<std::size_t>(corner)];
-    std::array<Index, 4> v{};
-    for (std::size_t k = 0; k < cut.size(); ++k) v[k] = local(corners[at(cut[k])]);
-    if (cut.size() == 3) {
-      triangles.push_back({v[0], v[1], v[2]});
-      continue;
-    }
+    const Face& cut = topology.shape(e).links[static_cast<std::size_t>(corner)];
+    v.clear();
+    for (const Index k : cut) v.push_back(local(corners[at(k)]));
     // Neighbours ascend, so the lowest node is the lowest vertex.
-    std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
-    triangles.push_back({v[0], v[1], v[2]});
-    triangles.push_back({v[0], v[2], v[3]});
+    if (v.size() > 3) std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
+    for (std::size_t k = 1; k + 1 < v.size(); ++k) triangles.push_back({v[0], v[k], v[k + 1]});
   }
   try {
     assign(static_cast<Index>(neighbours.size()), triangles);

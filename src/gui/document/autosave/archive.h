@@ -11,6 +11,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/mesh/element_type.h"
+
 namespace winslow::gui {
 
 /// FNV-1a, 64 bits.
@@ -50,6 +52,11 @@ class ArchiveWriter {
     static_assert(std::is_trivially_copyable_v<Number>);
     number<std::uint64_t>(values.size());
     bytes(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+  }
+  void faces(const std::vector<Face>& values) {
+    list(values, [](auto& a, const Face& face) {
+      a.numbers(std::span<const Index>(face.begin(), face.end()));
+    });
   }
   void text(std::string_view text) {
     number<std::uint64_t>(text.size());
@@ -100,6 +107,14 @@ class ArchiveReader {
     values.resize(count);
     if (count > 0)
       std::memcpy(values.data(), next_bytes(count * sizeof(Number)).data(), count * sizeof(Number));
+  }
+  /// A face of fewer than two nodes, which a damaged file may have, becomes one without nodes.
+  void faces(std::vector<Face>& values) {
+    std::vector<Index> nodes;
+    list(values, [&](auto& a, Face& face) {
+      a.numbers(nodes);
+      face = nodes.size() < 2 ? Face() : Face(std::span<const Index>(nodes));
+    });
   }
   void text(std::string& text) { text = next_bytes(length(1)); }
   template <class Value, class Fields>

@@ -10,7 +10,7 @@ namespace winslow::gui {
 namespace {
 
 /// Also detects a different byte order.
-constexpr std::uint64_t magic = 0x000a504554534e57;  // "WNSTEP", version 10
+constexpr std::uint64_t magic = 0x000b504554534e57;  // "WNSTEP", version 11
 
 /// Processes every field of a record, for reading and writing.
 template <class Archive, class Record>
@@ -33,10 +33,12 @@ void topology_fields(Archive& archive, Data& data) {
   archive.numbers(data.types);
   archive.numbers(data.element_offsets);
   archive.numbers(data.element_nodes);
+  archive.faces(data.faces);
+  archive.numbers(data.face_offsets);
   archive.list(data.markers, [](auto& a, auto& marker) {
     a.text(marker.name);
     a.number(marker.tag);
-    a.numbers(marker.faces);
+    a.faces(marker.faces);
   });
   archive.list(data.regions, [](auto& a, auto& region) {
     a.text(region.name);
@@ -144,7 +146,7 @@ void shape_fields(Archive& archive, Data& data) {
   archive.text(data.name);
   archive.text(data.source);
   archive.list(data.points, [](auto& a, auto& point) { a.each(point.x(), point.y(), point.z()); });
-  archive.numbers(data.faces);
+  archive.faces(data.faces);
 }
 
 ShapeData data_of(const SurfaceShape& shape) {
@@ -180,8 +182,17 @@ std::shared_ptr<const SurfaceShape> made_of(ShapeData data, const MeshState& bef
 /// Without coordinates.
 MeshData data_of(const Topology& topology) {
   MeshData data;
-  for (Index e = 0; e < topology.element_count(); ++e)
-    data.add_element(topology.element_type(e), topology.element(e));
+  std::vector<Face> faces;
+  for (Index e = 0; e < topology.element_count(); ++e) {
+    const auto corners = topology.element(e);
+    if (topology.element_type(e) != ElementType::polyhedron) {
+      data.add_element(topology.element_type(e), corners);
+      continue;
+    }
+    faces.clear();
+    for (const Face& face : topology.shape(e).faces) faces.push_back(by_nodes(face, corners));
+    data.add_polyhedron(corners, faces);
+  }
   // Markers generated for loops are generated again.
   if (topology.markers().from_file()) data.markers = topology.markers().list();
   data.regions = topology.regions();
@@ -392,16 +403,28 @@ bool all_positive(const std::vector<double>& values) {
   return std::ranges::all_of(values, positive);
 }
 
+bool face_rows_fit(const MeshData& data) {
+  const auto& offsets = data.face_offsets;
+  if (offsets.empty())
+    return data.faces.empty() && std::ranges::count(data.types, ElementType::polyhedron) == 0;
+  return offsets.size() == data.types.size() + 1 && offsets.front() == 0 &&
+         std::ranges::is_sorted(offsets) &&
+         static_cast<std::size_t>(offsets.back()) == data.faces.size();
+}
+
 bool element_rows_fit(const MeshData& data) {
   const auto& offsets = data.element_offsets;
   if (offsets.size() != data.types.size() + 1 || offsets.front() != 0) return false;
   for (std::size_t e = 0; e < data.types.size(); ++e) {
-    if (data.types[e] > ElementType::hexahedron) return false;
+    if (data.types[e] > ElementType::polyhedron) return false;
     // The order of the checks avoids overflow of damaged numbers.
     if (offsets[e] < 0 || offsets[e + 1] < offsets[e]) return false;
-    if (offsets[e + 1] - offsets[e] != corner_count(data.types[e])) return false;
+    if (data.types[e] != ElementType::polyhedron &&
+        offsets[e + 1] - offsets[e] != corner_count(data.types[e]))
+      return false;
   }
-  return static_cast<std::size_t>(offsets.back()) == data.element_nodes.size();
+  return static_cast<std::size_t>(offsets.back()) == data.element_nodes.size() &&
+         face_rows_fit(data);
 }
 
 std::string fault_of_column(const LayerColumn& column, Index nodes) {
@@ -440,7 +463,7 @@ std::string fault_of(const MeshData& data) {
   if (!element_rows_fit(data)) return "elements that do not fit their nodes";
   for (const Marker& marker : data.markers)
     for (const Face& face : marker.faces)
-      if (face.size() < 2 || face.size() > 4 ||
+      if (face.size() < 2 ||
           !std::ranges::all_of(face, [&](Index node) { return within(node, data.node_count()); }))
         return "a face of a marker between no nodes of the mesh";
   if (!data.element_region.empty() && data.element_region.size() != data.types.size())
@@ -457,7 +480,7 @@ std::string fault_of_surface(const std::vector<Vec3>& points, const std::vector<
     return "a point of a surface that is no place";
   const auto count = static_cast<Index>(points.size());
   for (const Face& face : faces)
-    if (face.size() < 3 || face.size() > 4 ||
+    if (face.size() < 3 ||
         !std::ranges::all_of(face, [&](Index point) { return within(point, count); }))
       return "a face of a surface between no points of it";
   return {};

@@ -63,11 +63,24 @@ void SceneLists::add_triangle(SpaceFill& fill, const std::array<Vec3, 3>& corner
 /// A quadrilateral has one normal, hence one shade; it is cut along its shorter diagonal.
 void SceneLists::add_faces(SpaceFill& fill, std::span<const SurfaceFace> faces,
                            const Color& color) const {
+  std::vector<Vec3> corners;
+  std::vector<Index> triangles;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const Face& face = faces[f].nodes;
     const TriangleLook look{area_vector(x_, face).normalized(), color(f), faces[f].element};
     if (face.size() == 3) {
       add_triangle(fill, {x_[face[0]], x_[face[1]], x_[face[2]]}, look);
+      continue;
+    }
+    if (face.size() > 4) {
+      corners.clear();
+      for (const Index node : face) corners.push_back(x_[node]);
+      triangles = cut_polygon(corners, look.normal);
+      for (std::size_t t = 0; t < triangles.size(); t += 3)
+        add_triangle(fill,
+                     {corners[at(triangles[t])], corners[at(triangles[t + 1])],
+                      corners[at(triangles[t + 2])]},
+                     look);
       continue;
     }
     const std::array<Vec3, 4> p{x_[face[0]], x_[face[1]], x_[face[2]], x_[face[3]]};

@@ -258,7 +258,7 @@ std::vector<unsigned char> inverted_elements(const Mesh& mesh, std::span<const V
   }
   parallel_for(0, topology.element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e) {
-      const VolumeElement element(mesh.coordinates, topology.element_type(e), topology.element(e));
+      const VolumeElement element(mesh.coordinates, topology.shape(e), topology.element(e));
       inverted[at(e)] = element.inverted() ? 1 : 0;
     }
   });

@@ -79,7 +79,7 @@ double size_of(const Mesh& mesh, Index e) {
   const Topology& topology = *mesh.topology;
   if (is_surface(topology))
     return face_area(SpacePoints(mesh.coordinates), Face(topology.element(e)));
-  return VolumeElement(mesh.coordinates, topology.element_type(e), topology.element(e)).volume();
+  return VolumeElement(mesh.coordinates, topology.shape(e), topology.element(e)).volume();
 }
 
 std::shared_ptr<const Painted> paint(const VolumeWish& wish, bool any_inverted) {

@@ -161,7 +161,7 @@ Vec3 middle_of(const SpacePoints& x, std::span<const Index> nodes) {
 /// Sides between an element and its neighbours: faces of a volume element, else edges.
 std::vector<Face> sides_of(const Topology& topology, Index e) {
   std::vector<Face> sides;
-  for (const Face& face : shape_of(topology.element_type(e)).faces)
+  for (const Face& face : topology.shape(e).faces)
     sides.push_back(by_nodes(face, topology.element(e)));
   return sides;
 }
@@ -229,7 +229,7 @@ Lines describe_element(Index e, const Session& session) {
   const auto shared = session.mesh().shared();
   const Mesh& mesh = *shared;
   Lines lines{
-      {"Element " + std::to_string(e), std::string(shape_of(topology.element_type(e)).name)},
+      {"Element " + std::to_string(e), std::string(topology.shape(e).name)},
       {"Nodes", list_of(topology.element(e))}};
   if (session.in_space()) add_surroundings(lines, e, mesh);
   const std::vector<Vec3> normals =

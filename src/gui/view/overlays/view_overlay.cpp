@@ -44,7 +44,7 @@ std::vector<std::array<Index, 2>> edges_of(const MeshItem& item, const Topology&
   }
   if (item.kind == MeshItem::Kind::element) {
     const auto corners = topology.element(item.id);
-    for (const auto& edge : shape_of(topology.element_type(item.id)).edges)
+    for (const auto& edge : topology.shape(item.id).edges)
       edges.push_back({corners[at(edge[0])], corners[at(edge[1])]});
   }
   return edges;

@@ -25,7 +25,7 @@ std::vector<Index> seen_face(const SeenPlace& seen, const Mesh& mesh) {
   const auto corners = mesh.topology->element(seen.element);
   std::vector<Index> best;
   double least = 1e300;
-  for (const Face& local : shape_of(mesh.topology->element_type(seen.element)).faces) {
+  for (const Face& local : mesh.topology->shape(seen.element).faces) {
     std::vector<Index> nodes;
     for (const Index k : local) nodes.push_back(corners[at(k)]);
     const Face face{std::span<const Index>(nodes)};
@@ -240,7 +240,7 @@ std::optional<Index> face_at(const Session& session, const SeenPlace& seen) {
   const SpacePoints x(session.coordinates());
   std::optional<Index> best;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Face& side : shape_of(topology.element_type(seen.element)).faces) {
+  for (const Face& side : topology.shape(seen.element).faces) {
     const auto f = topology.find_face(by_nodes(side, topology.element(seen.element)));
     if (!f || topology.face(*f).elements[1] >= 0) continue;
     const Face nodes = topology.face(*f).nodes;
