@@ -2,7 +2,8 @@
 
 #include "core/mesh/mesh_data.h"
 
-/// For formats that say of a cell only which faces it has (OpenFOAM's polyMesh, NFACE_n of CGNS):
+/// For formats that say of a cell only which faces it has (OpenFOAM's polyMesh, NFACE_n and
+/// ParentElements of CGNS):
 ///
 ///     const auto cell = cell_of_faces(faces);
 ///     if (cell) mesh.add_element(cell->type, cell->corners);
