@@ -6,8 +6,8 @@
 #include "io/format/parsed_mesh.h"
 
 /// Reads and writes CGNS files, https://cgns.github.io: the SIDS and their mapping to ADF and HDF5.
-/// Bases may have cell dimension 2, or 3 with unstructured zones; docs/formats.md lists what is
-/// read and what is only carried along.
+/// Bases may have cell dimension 2 or 3; docs/formats.md lists what is read and what is only
+/// carried along.
 namespace winslow::io::cgns {
 
 /// Everything that a CGNS file holds: its whole tree. A moved mesh is written back into the tree of

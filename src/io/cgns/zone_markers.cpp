@@ -91,9 +91,10 @@ std::string region_name(const NodeView& part) {
 
 class MarkerMaker {
  public:
-  MarkerMaker(const ZoneHead& head, const ZoneBoundary& boundary, const ZoneSides& sides,
-              ParsedMesh& mesh, Details& details)
-      : indices_(head.vertices.size()),
+  MarkerMaker(const NodeView& base, const ZoneHead& head, const ZoneBoundary& boundary,
+              const ZoneSides& sides, ParsedMesh& mesh, Details& details)
+      : base_(base),
+        indices_(head.vertices.size()),
         side_(side_name(head.cell_dimension)),
         boundary_(boundary),
         sides_(sides),
@@ -117,7 +118,7 @@ class MarkerMaker {
     if (name.empty()) name = condition.name();
     details_.conditions[add(name, faces)].push_back(condition.name());
     auto& symmetry = details_.roles.symmetry;
-    if (const std::string type = condition.text();
+    if (const std::string type = type_of(condition);
         type == "BCSymmetryPlane" &&
         std::ranges::find(symmetry, std::pair(name, type)) == symmetry.end())
       symmetry.emplace_back(name, type);
@@ -143,6 +144,16 @@ class MarkerMaker {
   }
 
  private:
+  /// The type of a condition, or that of its family where the condition leaves it to this.
+  std::string type_of(const NodeView& condition) const {
+    const std::string type = condition.text();
+    if (type != "FamilySpecified") return type;
+    // A base may have thousands of zones beside the family: no views of all are made.
+    const NodePtr family = child_named(base_.node().content(), family_of(condition));
+    const NodePtr said = family ? child_labelled(family->content(), "FamilyBC_t") : nullptr;
+    return said ? text_of(said->content()) : type;
+  }
+
   /// The name, or a variant of it that no marker has.
   std::string unused(std::string name) const {
     const auto taken = [&] {
@@ -168,6 +179,7 @@ class MarkerMaker {
     return m;
   }
 
+  NodeView base_;
   std::size_t indices_;
   std::string side_;  // name of a boundary side, "edge" or "face"
   const ZoneBoundary& boundary_;
@@ -179,10 +191,11 @@ class MarkerMaker {
 
 }  // namespace
 
-void make_markers(const NodeView& zone, const ZoneHead& head, const ZoneBoundary& boundary,
+void make_markers(const ZonePlace& place, const ZoneHead& head, const ZoneBoundary& boundary,
                   const ZoneSides& sides, const std::vector<std::string>& joined, ParsedMesh& mesh,
                   Details& details) {
-  MarkerMaker maker(head, boundary, sides, mesh, details);
+  const NodeView& zone = place.zone;
+  MarkerMaker maker(place.base, head, boundary, sides, mesh, details);
   for (const NodeView& all : zone.children("ZoneBC_t"))
     for (const NodeView& condition : all.children("BC_t")) maker.add_condition(condition);
   for (const NodeView& interface : connections_of(zone))

@@ -67,7 +67,10 @@ class BoundaryByNodes {
 /// - from its interfaces (GridConnectivity_t, GridConnectivity1to1_t), except those in `joined`:
 ///   their edges that are in no marker yet;
 /// - from the sections of lines: their lines that are in no marker yet, named by the section.
-void make_markers(const NodeView& zone, const ZoneHead& head, const ZoneBoundary& boundary,
+///
+/// Conditions that are planes of symmetry (BCSymmetryPlane), or whose family is one, are noted in
+/// the roles of the details.
+void make_markers(const ZonePlace& place, const ZoneHead& head, const ZoneBoundary& boundary,
                   const ZoneSides& sides, const std::vector<std::string>& joined, ParsedMesh& mesh,
                   Details& details);
 

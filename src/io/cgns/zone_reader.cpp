@@ -88,7 +88,7 @@ std::vector<std::size_t> first_vertices(const Lattice& lattice) {
 class ZoneReader {
  public:
   ZoneReader(const ZonePlace& place, std::shared_ptr<Details> details)
-      : zone_(place.zone), head_(read_head(place)), details_(std::move(details)) {
+      : place_(place), zone_(place.zone), head_(read_head(place)), details_(std::move(details)) {
     mesh_.details = details_;
   }
 
@@ -101,7 +101,7 @@ class ZoneReader {
       const ZoneSides sides = read_sections(zone_, head_, mesh_.data);
       place_nodes(grid, places, {});
       const UnstructuredBoundary boundary(mesh_.data, sides, head_);
-      make_markers(zone_, head_, boundary, sides, {}, mesh_, *details_);
+      make_markers(place_, head_, boundary, sides, {}, mesh_, *details_);
       read_periodic(boundary, [&](const NodeView& connection) {
         return listed_pairs(connection, head_.vertex_count);
       });
@@ -121,7 +121,7 @@ class ZoneReader {
     place_nodes(grid, places, first_vertices(lattice));
     if (!joined.empty()) details_->node_of_vertex = lattice.node_of_vertex;
     const StructuredBoundary boundary(lattice, mesh_.data);
-    make_markers(zone_, head_, boundary, {}, joined, mesh_, *details_);
+    make_markers(place_, head_, boundary, {}, joined, mesh_, *details_);
     read_periodic(boundary,
                   [&](const NodeView& connection) { return lattice_pairs(connection, lattice); });
   }
@@ -158,6 +158,7 @@ class ZoneReader {
     }
   }
 
+  ZonePlace place_;
   NodeView zone_;
   ZoneHead head_;
   std::shared_ptr<Details> details_;

@@ -97,8 +97,9 @@ struct ZoneSides {
 };
 
 /// Reads all sections (Elements_t), in the order of their element numbers: cells into the mesh,
-/// sides into the result. Skips elements of lower dimension. Throws InputError with the names of
-/// unsupported element types.
+/// sides into the result. Where no section holds cells, the ParentElements of NGON_n give them.
+/// Skips elements of lower dimension. Throws InputError with the names of unsupported element
+/// types.
 ZoneSides read_sections(const NodeView& zone, const ZoneHead& head, MeshData& mesh);
 
 }  // namespace winslow::io::cgns

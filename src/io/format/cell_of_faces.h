@@ -2,7 +2,8 @@
 
 #include "core/mesh/mesh_data.h"
 
-/// For formats that say of a cell only which faces it has (OpenFOAM's polyMesh, NFACE_n of CGNS):
+/// For formats that say of a cell only which faces it has (OpenFOAM's polyMesh, NFACE_n and
+/// ParentElements of CGNS):
 ///
 ///     add_cell_of_faces(faces, data);
 namespace winslow::io {

@@ -124,7 +124,7 @@ TEST_CASE("CGNS: boundary conditions say in every way of the standard where they
     }
     const io::MeshFile file = io::read_mesh(folder / "a.cgns");
     REQUIRE(file.mesh.topology->markers().size() == 2);
-    std::vector<std::array<Index, 4>> found, expected;
+    std::vector<Face> found, expected;
     for (const Face& face : marker_named(file, "body").faces) found.push_back(face.sorted());
     for (const Face& face : wall.faces) expected.push_back(face.sorted());
     std::sort(found.begin(), found.end());

@@ -1,10 +1,7 @@
 #ifdef WINSLOW_HAS_CGNS
 
-#include <set>
-
 #include "core/quality/quality.h"
-#include "io/cgns/library_file.h"
-#include "io/support/volume_samples.h"
+#include "io/cgns/polyhedra_file.h"
 #include "support/paths.h"
 
 namespace winslow::test {
@@ -185,116 +182,6 @@ TEST_CASE("CGNS: the cut of an O-grid in space is closed") {
                        doctest::Contains("do not fit a zone of three indices"), InputError);
 }
 
-namespace {
-
-/// The faces of all elements of a mesh, each once, and the signed numbers of those of each element.
-struct Polyhedra {
-  std::vector<Face> faces;
-  std::vector<std::vector<cgsize_t>> cells;
-
-  explicit Polyhedra(const MeshData& data) {
-    std::map<Face, cgsize_t> numbers;
-    for (Index e = 0; e < data.element_count(); ++e) {
-      cells.emplace_back();
-      for (const Face& side : shape_of(data.types[at(e)]).faces) {
-        const Face face = by_nodes(side, data.element(e));
-        const auto [found, added] =
-            numbers.emplace(face.sorted(), static_cast<cgsize_t>(faces.size()) + 1);
-        if (added) faces.push_back(face);
-        cells.back().push_back(added ? found->second : -found->second);
-      }
-    }
-  }
-};
-
-/// first: the number of the first cell, before or behind the faces.
-void write_polyhedra(LibraryFile& file, const MeshData& data, bool cells_first) {
-  const Polyhedra all(data);
-  const auto faces = static_cast<cgsize_t>(all.faces.size());
-  const auto cells = static_cast<cgsize_t>(all.cells.size());
-  CgnsNumbers corners, starts{0};
-  for (const Face& face : all.faces) {
-    for (const Index node : face) corners.push_back(node + 1);
-    starts.push_back(static_cast<cgsize_t>(corners.size()));
-  }
-  const cgsize_t shift = cells_first ? cells : 0;
-  CgnsNumbers sides, side_starts{0};
-  for (const auto& cell : all.cells) {
-    for (const cgsize_t face : cell) sides.push_back(face < 0 ? face - shift : face + shift);
-    side_starts.push_back(static_cast<cgsize_t>(sides.size()));
-  }
-  file.next = cells_first ? cells + 1 : 1;
-  file.poly_section("faces", NGON_n, corners, starts);
-  file.next = cells_first ? 1 : faces + 1;
-  file.poly_section("polyhedra", NFACE_n, sides, side_starts);
-  // A condition at the first boundary face of the mesh.
-  const Face& wanted = data.markers[0].faces[0];
-  for (cgsize_t f = 0; f < faces; ++f) {
-    if (all.faces[at(static_cast<Index>(f))].sorted() != wanted.sorted()) continue;
-    file.condition("wall", BCWall, PointList, {f + 1 + shift}, FaceCenter);
-  }
-}
-
-}  // namespace
-
-TEST_CASE("CGNS: polyhedra (NFACE_n) that are tetrahedra, pyramids, prisms or hexahedra") {
-  const TemporaryFolder folder;
-  for (const Volumes volumes : {Volumes::tetrahedra, Volumes::hexahedra, Volumes::mixed}) {
-    for (const bool cells_first : {false, true}) {
-      const MeshData data = cube(volumes == Volumes::mixed ? 4 : 2, volumes);
-      {
-        LibraryFile file(folder / "a.cgns", CG_FILE_HDF5, 3, 3);
-        write_places(file, data);
-        write_polyhedra(file, data, cells_first);
-      }
-      const io::MeshFile file = io::read_mesh(folder / "a.cgns");
-      const Topology& topology = *file.mesh.topology;
-      REQUIRE(topology.element_count() == data.element_count());
-      CHECK(measure_quality(file.mesh).inverted == 0);
-      for (Index e = 0; e < data.element_count(); ++e) {
-        CHECK(topology.element_type(e) == data.types[at(e)]);
-        const auto own = topology.element(e), given = data.element(e);
-        CHECK(std::set<Index>(own.begin(), own.end()) ==
-              std::set<Index>(given.begin(), given.end()));
-      }
-      CHECK(topology.markers().size() == 1);
-      CHECK(faces_of(file, "wall") == 1);
-      io::write_mesh(folder / "b.cgns", file.mesh, file.details.get());
-      CHECK(differences(tree_of(folder / "a.cgns").root, tree_of(folder / "b.cgns").root).empty());
-    }
-  }
-}
-
-TEST_CASE("CGNS: other polyhedra, and faces that a zone does not have, are refused by number") {
-  const TemporaryFolder folder;
-  const MeshData data = cube(1, Volumes::hexahedra);
-  const auto refusal = [&](const CgnsNumbers& faces) {
-    {
-      LibraryFile file(folder / "a.cgns", CG_FILE_HDF5, 3, 3);
-      write_places(file, data);
-      const Polyhedra all(data);
-      CgnsNumbers corners, starts{0};
-      for (const Face& face : all.faces) {
-        for (const Index node : face) corners.push_back(node + 1);
-        starts.push_back(static_cast<cgsize_t>(corners.size()));
-      }
-      file.poly_section("faces", NGON_n, corners, starts);
-      file.poly_section("cells", NFACE_n, faces, {0, static_cast<cgsize_t>(faces.size())});
-    }
-    try {
-      io::read_mesh(folder / "a.cgns");
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("no error");
-  };
-  CHECK_CONTAINS(refusal({1, 2, 3, 4, 5}),
-                 "/Base/blk/cells: found element 7, a polyhedron of 5 faces, expected tetrahedra");
-  CHECK_CONTAINS(refusal({1, 2, 3, 4, 5, 5}), "a polyhedron of 6 faces");
-  CHECK_CONTAINS(refusal({1, 2, 3, 4, 5, 9}), "found face 9 in element 7, expected the number");
-  CHECK_CONTAINS(refusal({1, 2, 3, 4, 5, 0}), "found face 0 in element 7");
-}
-
 TEST_CASE("CGNS: a condition on the faces of a section of cells and faces has its own name") {
   const TemporaryFolder folder;
   const MeshData data = cube(1, Volumes::hexahedra);
@@ -365,13 +252,14 @@ TEST_CASE("CGNS: damaged numbers of structured zones and polyhedra give a mesh o
     require_cgns(cg_1to1_write(file.file, file.base, file.zone, "cut", "blk", range.data(),
                                donor.data(), transform.data(), &number));
   }
+  const MeshData data = cube(1, Volumes::pyramids);
   {
     LibraryFile file(folder / "1.cgns", CG_FILE_ADF, 3, 3);
-    const MeshData data = cube(1, Volumes::pyramids);
     write_places(file, data);
     write_polyhedra(file, data, false);
   }
-  for (const char* name : {"0.cgns", "1.cgns"}) {
+  write_parents(folder / "2.cgns", data, Polyhedra(data).parents(1), CG_FILE_ADF);
+  for (const char* name : {"0.cgns", "1.cgns", "2.cgns"}) {
     const io::cgns::NodePtr root = tree_of(folder / name).root;
     int meshes = 0, refused = 0;
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
