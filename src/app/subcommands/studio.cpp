@@ -21,7 +21,7 @@ class StudioSubcommand : public Subcommand {
       : Subcommand(program.add_subcommand(
             "studio", "Open the window in which meshes are moved and repaired by hand")) {
     app().add_option("IN", input_, "Mesh to open")->type_name("");
-    add_zone_flag(app(), zone_, "the first");
+    add_reading_flags(app(), reading_, "the first");
     FlagGroup(app()).value("--size", size_, "W H", "Width and height of the window [1440 900]");
     add_quiet_flag(app(), quiet_);
     add_headless_flags();
@@ -90,7 +90,7 @@ class StudioSubcommand : public Subcommand {
     if (headless()) return run_headless();
     gui::StudioOptions options;
     if (!input_.empty()) options.mesh = input_;
-    options.zone = zone_;
+    options.reading = reading_;
     options.width = size_[0];
     options.height = size_[1];
     gui::run_studio(options);
@@ -100,7 +100,7 @@ class StudioSubcommand : public Subcommand {
   ExitCode run_headless() const {
     gui::HeadlessOptions options;
     if (!input_.empty()) options.mesh = input_;
-    options.zone = zone_;
+    options.reading = reading_;
     options.recipe = recipe_;
     options.script = script_;
     options.picture = screenshot_;
@@ -149,7 +149,7 @@ class StudioSubcommand : public Subcommand {
   std::string panels_ = "all";
   std::array<int, 2> size_{1440, 900};
   int rate_ = 20;
-  int zone_ = 0;
+  io::ReadOptions reading_;
   double scale_ = 1;
   bool headless_ = false, transparent_ = false, quiet_ = false;
 };

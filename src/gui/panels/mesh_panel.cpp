@@ -139,9 +139,11 @@ void draw_zone(const PanelContext& context) {
   }
   if (ui::choice("mesh/zone", "Zone", names, chosen,
                  "The file holds several meshes, zones: choose which one is open. Saving into a "
-                 "file of the same format keeps the others as they are."))
-    context.emit(
-        action::OpenMesh{zone_file(document.source(), document.saved()), false, zones[chosen]});
+                 "file of the same format keeps the others as they are.")) {
+    io::ReadOptions reading = document.source().reading;
+    reading.zone = zones[chosen];
+    context.emit(action::OpenMesh{zone_file(document.source(), document.saved()), false, reading});
+  }
 }
 
 DrawPanel mesh_panel() { return panel_of<MeshPanel>(); }

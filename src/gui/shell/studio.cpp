@@ -88,7 +88,7 @@ void run_studio(const StudioOptions& options) {
   const std::array<int, 2> size = window_size(options, SettingsFile(profile).initial());
   Window window(size[0], size[1], "winslow");
   Workbench workbench({window.scale(), profile});
-  if (options.mesh) workbench.apply(action::OpenMesh{*options.mesh, false, options.zone});
+  if (options.mesh) workbench.apply(action::OpenMesh{*options.mesh, false, options.reading});
   StudioLoop(window, workbench).run();
 }
 

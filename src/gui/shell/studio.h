@@ -1,14 +1,13 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
+#include "io/format/mesh_file.h"
 
 namespace winslow::gui {
 
 struct StudioOptions {
   std::optional<std::filesystem::path> mesh;  ///< opened at the start
-  int width = 0, height = 0;  ///< of the window, in screen units; 0: as in the last run
-  int zone = 0;               ///< of the mesh file; 0: the first
+  int width = 0, height = 0;     ///< of the window, in screen units; 0: as in the last run
+  io::ReadOptions reading = {};  ///< of the mesh file
 };
 
 /// Opens the studio's window and runs it until it is closed. Throws Error with advice if there is

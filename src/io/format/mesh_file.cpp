@@ -136,17 +136,22 @@ void build_mesh(const Source& source, const ReadOptions& options, ParsedMesh& pa
                 MeshFile& file) {
   std::size_t place = 0;
   std::string fault;
+  bool mends = false;
   try {
     file.mesh = make_mesh(parsed.data, &file.warnings);
     return;
   } catch (const MeshError& error) {
     place = place_of(error, parsed.where);
-    const bool mends = options.defects != Defects::repair && is_mended(parsed, source);
-    fault = error.what() + std::string(mends ? "; --repair mends it" : "");
+    fault = error.what();
+    mends = options.defects != Defects::repair && is_mended(parsed, source);
   }
-  if (options.defects != Defects::show) source.fail(place, fault);
+  if (options.defects != Defects::show) {
+    if (mends) throw MendableError(source.place(place) + ": " + fault);
+    source.fail(place, fault);
+  }
   file.defective = true;
   file.warnings.push_back(source.place(place) + ": " + fault +
+                          (mends ? "; --repair mends it" : "") +
                           "; shown all the same, but smooth and move refuse such a mesh");
   const auto built = [&] {
     try {

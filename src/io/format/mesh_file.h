@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 
+#include "core/error.h"
 #include "core/geometry/periodic_pairs.h"
 #include "core/mesh/mesh.h"
 
@@ -79,6 +80,22 @@ enum class Defects {
   repair  ///< mend what can be mended (io/format/mesh_repair.h), refuse the rest
 };
 
+/// A file that holds no mesh, but one that Defects::repair mends. what() says so in words of the
+/// command line.
+class MendableError : public InputError {
+ public:
+  /// fault: "FILE:LINE: ...".
+  explicit MendableError(const std::string& fault) : InputError(fault + std::string(hint)) {}
+  /// What is wrong, without the way to mend it.
+  std::string fault() const {
+    const std::string_view text = what();
+    return std::string(text.substr(0, text.size() - hint.size()));
+  }
+
+ private:
+  static constexpr std::string_view hint = "; --repair mends it";
+};
+
 struct ReadOptions {
   int zone = 0;  ///< number of the zone to read, of formats that have zones; 0: the first
   /// Name of the cell array that holds the regions, of formats that have arrays; empty: one of the
@@ -93,7 +110,8 @@ struct ReadOptions {
 /// Reads a mesh. The content decides the format (with a warning if the extension disagrees); the
 /// extension decides if the content is not conclusive. Throws InputError "FILE:LINE: ..." / "FILE:
 /// byte N: ...". Never crashes on any content, and never allocates more than the file's size
-/// justifies. Throws UsageError for a zone or an array that the file does not have.
+/// justifies. Throws MendableError, an InputError, if Defects::repair would help, and UsageError
+/// for a zone or an array that the file does not have.
 MeshFile read_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 /// Reads all zones of a file in the order of their numbers, whatever options.zone is; a file
 /// without zones is one. The time grows with the size of the file, not with the number of its

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "core/command/command.h"
 #include "core/motion/motion.h"
 #include "core/motion/rigid_motion.h"
@@ -10,6 +8,7 @@
 #include "gui/document/selection/node_overrides.h"
 #include "gui/document/selection/pivot.h"
 #include "gui/settings/option_edits.h"
+#include "io/format/mesh_file.h"
 
 namespace winslow::gui::action {
 
@@ -18,7 +17,8 @@ namespace winslow::gui::action {
 struct OpenMesh {
   std::filesystem::path path;
   bool discard_changes = false;  ///< false: ask if the open mesh has unsaved changes
-  int zone = 0;                  ///< zone, if the file has several; 0: the first
+  /// Which of its zones, times and region arrays to read, and whether to mend the mesh.
+  io::ReadOptions reading = {};
 };
 struct SaveMesh {
   std::filesystem::path path;   ///< empty: the file of the mesh

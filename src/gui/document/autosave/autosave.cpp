@@ -109,7 +109,8 @@ void Autosave::keep(const Session& session) {
                        document->source().stamp,       document->history(),
                        document->edits().tags()};
   const auto details = document->source().details;
-  if (details && !details->zones.empty()) record.zone = details->zone;
+  record.reading = document->source().reading;
+  if (details && !details->zones.empty()) record.reading.zone = details->zone;
   tasks_.push_back([this, folder = folder_, record = std::move(record),
                     done = std::exchange(taken_over_, {})]() -> Then {
     try {

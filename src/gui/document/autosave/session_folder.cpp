@@ -53,8 +53,8 @@ bool copy_unchanged(const SessionRecord& session, const fs::path& to) {
 }
 
 /// The mesh as opened. If the file had changed, data of its format other than the mesh are lost.
-Document::Loaded read_start(const fs::path& file, int zone) {
-  if (!file.filename().string().starts_with(start_prefix)) return Document::load(file, zone);
+Document::Loaded read_start(const fs::path& file, const io::ReadOptions& reading) {
+  if (!file.filename().string().starts_with(start_prefix)) return Document::load(file, reading);
   Document::Loaded loaded;
   loaded.state = read_step(file, MeshState{}).state;
   loaded.file.mesh = loaded.state.mesh;
@@ -81,7 +81,9 @@ json manifest_of(const SessionRecord& session, const std::string& start) {
           {"source", session.source.string()},
           {"path", session.path.string()},
           {"mesh", start},
-          {"zone", session.zone},
+          {"zone", session.reading.zone},
+          {"regions", session.reading.regions},
+          {"repair", session.reading.defects == io::Defects::repair},
           {"time", local_time()},
           {"position", session.history.position()},
           {"steps", std::move(steps)}};
@@ -121,6 +123,17 @@ Value value_of(const json& object, const char* key, const fs::path& folder) {
 /// A file in the folder; the path cannot lead outside it.
 fs::path file_of(const json& object, const char* key, const fs::path& folder) {
   return folder / fs::path(value_of<std::string>(object, key, folder)).filename();
+}
+
+/// How the mesh was read; a session of an earlier version says less.
+io::ReadOptions reading_of(const json& manifest, const fs::path& folder) {
+  io::ReadOptions reading;
+  if (manifest.contains("zone")) reading.zone = value_of<int>(manifest, "zone", folder);
+  if (manifest.contains("regions"))
+    reading.regions = value_of<std::string>(manifest, "regions", folder);
+  if (manifest.contains("repair") && value_of<bool>(manifest, "repair", folder))
+    reading.defects = io::Defects::repair;
+  return reading;
 }
 
 RestoredSession::Step read_one(const json& step, const fs::path& folder, const MeshState& before) {
@@ -215,9 +228,7 @@ RestoredSession read_session(const fs::path& folder) {
   read_summary(folder);  // checks the version
   const json manifest = read_manifest(folder);
   RestoredSession session;
-  session.loaded =
-      read_start(file_of(manifest, "mesh", folder),
-                 manifest.contains("zone") ? value_of<int>(manifest, "zone", folder) : 0);
+  session.loaded = read_start(file_of(manifest, "mesh", folder), reading_of(manifest, folder));
   session.loaded.path = value_of<std::string>(manifest, "source", folder);
   session.path = value_of<std::string>(manifest, "path", folder);
   const auto steps = value_of<json::array_t>(manifest, "steps", folder);

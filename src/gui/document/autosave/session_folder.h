@@ -32,7 +32,7 @@ struct SessionRecord {
   std::optional<FileStamp> stamp;  ///< of that file as it was read
   History history;
   std::vector<EditHistory::Tag> tags;  ///< of each position
-  int zone = 0;                        ///< the open zone, if the file has several
+  io::ReadOptions reading = {};  ///< of the mesh as opened; the open zone, if there are several
 };
 
 /// Writes the session of one running studio into a separate folder. The folder holds a copy of the

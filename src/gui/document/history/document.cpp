@@ -45,11 +45,12 @@ const std::filesystem::path& zone_file(const SourceFile& source, const SavedFile
   return kept ? saved.path() : source.path;
 }
 
-Document::Loaded Document::load(const std::filesystem::path& path, int zone) {
+Document::Loaded Document::load(const std::filesystem::path& path, const io::ReadOptions& reading) {
   Loaded loaded;
   loaded.path = path;
+  loaded.reading = reading;
   loaded.stamp = stamp_of(path);
-  loaded.file = io::read_mesh(path, {.zone = zone});
+  loaded.file = io::read_mesh(path, reading);
   loaded.state = make_state(loaded.file.mesh);
   examine(loaded);
   if (stamp_of(path) != loaded.stamp) loaded.stamp.reset();
@@ -72,7 +73,7 @@ void examine(Document::Loaded& loaded) {
 
 Document::Document(Loaded loaded)
     : source_{loaded.path, loaded.stamp, std::move(loaded.file.details),
-              std::move(loaded.file.warnings)},
+              std::move(loaded.file.warnings), std::move(loaded.reading)},
       saved_(std::move(loaded.path)),
       loaded_quality_(std::move(loaded.quality)),
       boundary_(std::move(loaded.boundary)),

@@ -17,6 +17,7 @@ struct SourceFile {
   std::optional<FileStamp> stamp;  ///< empty: no file is known to have this content
   std::shared_ptr<const io::FormatDetails> details;
   std::vector<std::string> warnings;
+  io::ReadOptions reading = {};  ///< how it was read
 
   /// Numbers of its zones; empty: the file contains one mesh.
   std::span<const int> zones() const;
@@ -65,6 +66,7 @@ class Document {
   /// The data prepared on the loader's thread.
   struct Loaded {
     std::filesystem::path path;
+    io::ReadOptions reading = {};
     io::MeshFile file;
     MeshState state;
     QualityReport quality;
@@ -73,9 +75,8 @@ class Document {
     std::shared_ptr<const VolumeBoundary> boundary;
     std::shared_ptr<const SurfaceDistance> given;  ///< of a surface mesh as opened; otherwise null
   };
-  /// Reads and prepares a mesh. zone: for a file with several zones; 0: the first. Throws the
-  /// exceptions of io::read_mesh.
-  static Loaded load(const std::filesystem::path& path, int zone = 0);
+  /// Reads and prepares a mesh. Throws the exceptions of io::read_mesh.
+  static Loaded load(const std::filesystem::path& path, const io::ReadOptions& reading = {});
 
   explicit Document(Loaded loaded);
 

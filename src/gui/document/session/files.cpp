@@ -52,31 +52,51 @@ std::optional<Action> Files::take_next() {
 void Files::on(const action::OpenMesh& a) {
   if (a.path.empty()) return;
   if (unsaved() && !a.discard_changes) {
-    ask_to_save(a, action::OpenMesh{a.path, true, a.zone});
+    ask_to_save(a, action::OpenMesh{a.path, true, a.reading});
     return;
   }
   if (loader_.busy()) {
-    next_path_ = a.path;
-    next_zone_ = a.zone;
+    next_ = a;
     return;
   }
   loading_path_ = a.path;
-  loader_.start([path = a.path, zone = a.zone] {
-    LoadOutcome outcome;
-    outcome.error = error_of(
-        [&] { outcome.loaded = std::make_shared<Document::Loaded>(Document::load(path, zone)); });
+  loader_.start([a] {
+    LoadOutcome outcome{a, nullptr, {}};
+    outcome.error = error_of([&] {
+      try {
+        outcome.loaded = std::make_shared<Document::Loaded>(Document::load(a.path, a.reading));
+      } catch (const io::MendableError& error) {
+        outcome.mendable = true;
+        throw InputError(error.fault());
+      }
+    });
     return outcome;
   });
+}
+
+/// The answer "Repair" opens the file again, with its mesh mended.
+void Files::offer_repair(const LoadOutcome& outcome) {
+  action::OpenMesh again = outcome.request;
+  again.reading.defects = io::Defects::repair;
+  messages_.ask({Prompt::Kind::error,
+                 "Cannot open " + again.path.filename().string(),
+                 outcome.error +
+                     ". Repair (--repair) mends it in memory and counts what it changes; the file "
+                     "stays as it is until you save.",
+                 {{"Repair", {again}, true}, {"Cancel", {}, false}}});
 }
 
 bool Files::poll_loader() {
   auto outcome = loader_.poll();
   if (!outcome) return false;
   const auto path = std::exchange(loading_path_, {});
-  if (!next_path_.empty()) {
-    on(action::OpenMesh{std::exchange(next_path_, {}), true, next_zone_});
+  if (auto next = std::exchange(next_, std::nullopt)) {
+    next->discard_changes = true;
+    on(*next);
   } else if (outcome->loaded) {
     adopt(std::move(*outcome->loaded));
+  } else if (outcome->mendable) {
+    offer_repair(*outcome);
   } else {
     messages_.report_error("Cannot open " + path.filename().string(), outcome->error);
   }
@@ -269,6 +289,8 @@ void Files::on(const action::ExportRecipe& a) {
   const auto folder = std::filesystem::absolute(a.path, ignored).parent_path();
   recipe.input = std::filesystem::proximate(document.source().path, folder, ignored).string();
   recipe.commands = document.history().recipe();
+  recipe.zone = document.source().zone();
+  recipe.regions = document.source().reading.regions;
   const std::string error = error_of([&] { io::write_recipe(a.path, recipe); });
   if (!error.empty()) return messages_.report_error("Cannot write the recipe", error);
   messages_.tell(Notice::Kind::success, "Recipe of " + counted(recipe.commands.size(), "command") +

@@ -46,16 +46,20 @@ class Files {
   void on(const action::Quit& a);
 
  private:
+  struct LoadOutcome {
+    action::OpenMesh request;
+    std::shared_ptr<Document::Loaded> loaded;
+    std::string error;
+    bool mendable = false;  // the file opens if its mesh is repaired
+  };
+
   void start_saver(const std::filesystem::path& path, bool copy, bool proceed = false);
   bool poll_loader();
+  void offer_repair(const LoadOutcome& outcome);
   bool poll_saver();
   bool poll_csv();
   void adopt(Document::Loaded loaded);
 
-  struct LoadOutcome {
-    std::shared_ptr<Document::Loaded> loaded;
-    std::string error;
-  };
   struct SaveOutcome {
     std::filesystem::path path;
     std::uint64_t generation = 0, revision = 0;
@@ -80,8 +84,7 @@ class Files {
   bool saved_ = false;                       // the mesh is saved
   std::optional<action::SaveMesh> waiting_;  // save that waits for the solver
   std::filesystem::path loading_path_;
-  std::filesystem::path next_path_;  // requested while another mesh was being read
-  int next_zone_ = 0;                // of that file
+  std::optional<action::OpenMesh> next_;  // requested while another mesh was being read
   Background<LoadOutcome> loader_;
   Background<SaveOutcome> saver_;
   Background<CsvOutcome> csv_writer_;

@@ -60,8 +60,8 @@ void HeadlessStudio::settle() {
   throw_if_wrong();
 }
 
-void HeadlessStudio::open(const std::filesystem::path& mesh, int zone) {
-  bench_->apply(action::OpenMesh{mesh, true, zone});
+void HeadlessStudio::open(const std::filesystem::path& mesh, const io::ReadOptions& reading) {
+  bench_->apply(action::OpenMesh{mesh, true, reading});
   try {
     settle();
   } catch (const Error&) {
@@ -185,11 +185,13 @@ HeadlessResult run_headless(const HeadlessOptions& options) {
 
   HeadlessResult result;
   HeadlessStudio studio(options.width, options.height);
-  const int zone = options.zone != 0 ? options.zone : recipe.zone;
-  if (!mesh.empty()) studio.open(mesh, zone);
+  io::ReadOptions reading = options.reading;
+  if (reading.zone == 0) reading.zone = recipe.zone;
+  if (reading.regions.empty()) reading.regions = recipe.regions;
+  if (!mesh.empty()) studio.open(mesh, reading);
   if (const Document* document = studio.bench().session().document()) {
     for (const std::string& text : document->source().warnings) options.warn(text);
-    if (zone == 0)
+    if (reading.zone == 0)
       for (const std::string& text : io::zones_left(document->source().details.get(), mesh))
         options.warn(text);
     // Reported here; dismiss the prompt, which would be visible in the picture.

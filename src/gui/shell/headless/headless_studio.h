@@ -24,7 +24,7 @@ class HeadlessStudio {
   /// Runs frames until all work is done. Throws Error if something fails meanwhile.
   void settle();
   /// Opens a mesh and waits for it. Throws InputError.
-  void open(const std::filesystem::path& mesh, int zone = 0);
+  void open(const std::filesystem::path& mesh, const io::ReadOptions& reading = {});
 
   /// Carries out commands, one after the other. seen: called for every new mesh; without it the
   /// solver does not wait. Throws Error.
@@ -68,7 +68,7 @@ void play_script(const Script& script, HeadlessStudio& studio, const std::filesy
 struct HeadlessOptions {
   std::optional<std::filesystem::path>
       mesh;                        ///< mesh to open; takes precedence over that of the recipe
-  int zone = 0;                    ///< of the mesh; 0: the recipe's, or else the first
+  io::ReadOptions reading = {};    ///< of the mesh; zone and regions: else those of the recipe
   std::filesystem::path recipe;    ///< recipe to carry out; empty: none
   std::filesystem::path script;    ///< script to play then (docs/studio.md); empty: none
   std::filesystem::path picture;   ///< of the final state: .png, .svg or .pdf; empty: none

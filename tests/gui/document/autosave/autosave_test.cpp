@@ -102,6 +102,27 @@ TEST_CASE("after a crash the session is offered back, every position to the bit"
   CHECK(offered(rig));
 }
 
+TEST_CASE("after a crash a mesh that was repaired as it was opened is repaired again") {
+  TemporaryFolder profile;
+  TemporaryFolder meshes;
+  std::ofstream(meshes / "twice.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 1\n"
+                                         "f 1 3 2\nf 1 2 4\nf 2 3 5\nf 3 1 5\n";
+  {
+    Rig rig(1280, 720, profile.path());
+    rig.bench->apply(
+        action::OpenMesh{meshes / "twice.obj", false, {.defects = io::Defects::repair}});
+    REQUIRE(rig.settle());
+    REQUIRE(rig.session().document() != nullptr);
+    wait_until_kept(rig);
+  }
+  Rig rig(1280, 720, profile.path());
+  REQUIRE(offered(rig));
+  rig.click("prompt/Restore");
+  REQUIRE(rig.wait([&] { return rig.session().document() != nullptr; }));
+  CHECK(rig.mesh().topology->node_count() == 4);
+  CHECK(rig.document().source().reading.defects == io::Defects::repair);
+}
+
 TEST_CASE("nothing is left after a clean quit, and nothing is offered") {
   TemporaryFolder profile;
   TemporaryFolder meshes;

@@ -212,4 +212,62 @@ TEST_CASE("warnings of a file need no answer: they are in the banner") {
   CHECK_FALSE(rig.session().messages().banner());
 }
 
+namespace {
+
+/// A tetrahedron with a point twice, a facet twice, one facet seen from inside, and a loose point.
+std::filesystem::path broken_surface(const TemporaryFolder& folder) {
+  const auto path = folder / "broken.obj";
+  std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 1\nv 9 9 9\n"
+                         "f 1 3 2\nf 1 2 4\nf 2 5 3\nf 3 5 1\nf 1 3 5\n";
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("a file that a repair mends is opened by the button of the error, changes counted") {
+  Rig rig;
+  const auto path = broken_surface(rig.folder);
+  rig.bench->apply(action::OpenMesh{path});
+  REQUIRE(rig.settle());
+  CHECK(rig.session().document() == nullptr);
+  const Prompt* prompt = rig.session().messages().prompt();
+  REQUIRE(prompt != nullptr);
+  CHECK(prompt->title == "Cannot open broken.obj");
+  CHECK(prompt->text.find("broken.obj:") != std::string::npos);
+  rig.frames();
+  SUBCASE("not now") {
+    rig.click("prompt/Cancel");
+    REQUIRE(rig.settle());
+    CHECK(rig.session().document() == nullptr);
+    CHECK(rig.session().messages().prompt() == nullptr);
+  }
+  SUBCASE("repaired") {
+    rig.click("prompt/Repair");
+    REQUIRE(rig.settle());
+    REQUIRE(rig.session().document() != nullptr);
+    CHECK(rig.mesh().topology->node_count() == 4);
+    CHECK(rig.mesh().topology->element_count() == 4);
+    CHECK(rig.document().source().reading.defects == io::Defects::repair);
+    REQUIRE(rig.session().messages().banner());
+    const std::string& said = rig.session().messages().banner()->text;
+    CHECK(said.find("repaired: 1 point lies where an earlier one does") != std::string::npos);
+    CHECK(said.find("repaired: 1 element has the points of an earlier one") != std::string::npos);
+    // The file is as it was until the mesh is saved.
+    CHECK_THROWS_AS(io::read_mesh(path), io::MendableError);
+  }
+}
+
+TEST_CASE("a file that no repair mends is refused without that button") {
+  Rig rig;
+  const auto path = rig.folder / "fin.obj";
+  std::ofstream(path)
+      << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n";
+  rig.bench->apply(action::OpenMesh{path});
+  REQUIRE(rig.settle());
+  REQUIRE(rig.session().messages().prompt() != nullptr);
+  rig.frames();
+  CHECK(rig.visible("prompt/OK"));
+  CHECK_FALSE(rig.visible("prompt/Repair"));
+}
+
 }  // namespace winslow::gui::test
