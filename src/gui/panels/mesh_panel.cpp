@@ -79,10 +79,10 @@ class MeshPanel {
     if (counts_.unused_nodes > 0)
       ui::figure("  unused", grouped(counts_.unused_nodes), "Nodes that no element has.");
     ui::figure("Elements", grouped(topology.element_count()), "All elements of the mesh.");
-    for (const ElementType type : fixed_element_types) {
-      const Index count = counts_.of_type[static_cast<std::size_t>(type)];
+    for (std::size_t type = 0; type < element_type_count; ++type) {
+      const Index count = counts_.of_type[type];
       if (count == 0) continue;
-      ui::figure("  " + plural_of(type), grouped(count), "Elements of this kind.");
+      ui::figure("  " + plural_of(static_cast<ElementType>(type)), grouped(count), "Elements of this kind.");
     }
     ImGui::EndGroup();
     ui::note("mesh/counts");

@@ -1,6 +1,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/quality/quality.h"
 #include "io/file/atomic_file.h"
 
 #include "io/support/openfoam_cases.h"
@@ -260,14 +261,63 @@ TEST_CASE("OpenFOAM: boundary faces in no marker get a patch, names are made saf
   CHECK(file.mesh.topology->markers().find("hot_wall"));
 }
 
-TEST_CASE("OpenFOAM: polyhedra are refused with their number, and other bad input with its place") {
-  CHECK(error_of("faces", "4(0 4 6 2)", "3(0 4 6)") ==
-        "faces:3: found cell 0, a polyhedron of 6 faces, expected tetrahedra, pyramids, prisms and "
-        "hexahedra");
-  CHECK(
-      error_of("faces", "4(1 3 7 5)", "5(1 3 7 5 4)") ==
-      "faces:4: found cell 0, a polyhedron with a face of 5 points, expected tetrahedra, pyramids, "
-      "prisms and hexahedra");
+TEST_CASE("OpenFOAM: split hexahedra come back as they were, and move with their files") {
+  const TemporaryFolder folder;
+  const Mesh mesh = make_mesh(split_box_with_body(4));
+  const fs::path first = folder / "a/constant/polyMesh", second = folder / "b/constant/polyMesh";
+  io::write_mesh(first, mesh, nullptr);
+  const io::MeshFile file = io::read_mesh(first);
+  const Topology& topology = *file.mesh.topology;
+  // Cells that are hexahedra by their faces are read as such.
+  const auto polyhedra = std::ranges::count(topology.element_types(), ElementType::polyhedron);
+  CHECK(polyhedra > 5);
+  CHECK(std::ranges::count(topology.element_types(), ElementType::hexahedron) ==
+        topology.element_count() - polyhedra);
+  CHECK(topology.face_count() == mesh.topology->face_count());
+  CHECK(check_validity(topology, file.mesh.coordinates).inverted == 0);
+  for (Index e = 0; e < topology.element_count(); ++e)
+    CHECK(node_set(topology.element(e)) == node_set(mesh.topology->element(e)));
+  // Another mesh with the nodes moved has the same files but for its points.
+  Mesh moved = file.mesh;
+  for (Index i = 0; i < moved.coordinates.size(); ++i)
+    moved.coordinates.set_xyz(i, 2 * moved.coordinates.xyz(i));
+  io::write_mesh(second, moved, file.details.get());
+  for (const char* name : {"faces", "owner", "neighbour", "boundary"}) {
+    CAPTURE(name);
+    CHECK(read_text(first / name) == read_text(second / name));
+  }
+  CHECK(read_text(first / "points") != read_text(second / "points"));
+  CHECK(io::read_mesh(second).mesh.coordinates == moved.coordinates);
+  for (const char* name : {"a.su2", "a.msh", "a.mesh", "a.vtk", "a.cgns", "a.b8.ugrid", "a.stl"}) {
+    CAPTURE(name);
+    CHECK_THROWS_WITH_AS(io::write_mesh(folder / name, file.mesh, nullptr),
+                         doctest::Contains("polyhedra of this mesh of"), UsageError);
+    CHECK_FALSE(fs::exists(folder / name));
+  }
+}
+
+TEST_CASE("OpenFOAM: a hexahedron with a corner in a flat wall is a polyhedron among polyhedra") {
+  // The corner (1, 1, 1) of a cube of split_box_with_body() moves into the plane of its neighbours.
+  const TemporaryFolder folder;
+  MeshData data = split_box_with_body(4);
+  for (Index i = 0; i < data.node_count(); ++i)
+    if (data.coordinates.xyz(i) == Vec3(1, 1, 1))
+      data.coordinates.set_xyz(i, Vec3::Constant(1 - 0.25 * 0.68));
+  const Mesh mesh = make_mesh(data);
+  io::write_mesh(folder / "constant/polyMesh", mesh, nullptr);
+  const Mesh read = io::read_mesh(folder / "constant/polyMesh").mesh;
+  CHECK(check_validity(*read.topology, read.coordinates).inverted == 0);
+  const Index last = read.topology->element_count() - 1;
+  CHECK(read.topology->element_type(last) == ElementType::polyhedron);
+  CHECK(read.topology->shape(last).faces.size() == 6);
+  CHECK(read.topology->element_type(last - 1) == ElementType::hexahedron);
+}
+
+TEST_CASE("OpenFOAM: faces that bound no cell, and other bad input, with the place") {
+  CHECK_CONTAINS(error_of("faces", "4(0 4 6 2)", "3(0 4 6)"),
+                 "element 0, a polyhedron, has one face at the edge between corners");
+  CHECK_CONTAINS(error_of("faces", "4(1 3 7 5)", "5(1 3 7 5 4)"),
+                 "element 0, a polyhedron, has");
   CHECK(error_of("faces", "4(1 3 7 5)", "4(1 3 8 5)") == "faces:4: found point 8, expected 0 to 7");
   CHECK(error_of("faces", "4(1 3 7 5)", "4(1 3 7)") ==
         "faces:4: found ')', expected a point of face 2 of 6");
