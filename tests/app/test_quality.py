@@ -7,7 +7,8 @@ import volume_meshes
 from support import INPUT, INVERTED, USAGE, ProgramTest
 
 METRICS = ("normalized_jacobian", "aspect_ratio", "condition_number", "smallest_angle", "largest_angle",
-           "skewness", "smallest_solid_angle", "largest_solid_angle")
+           "skewness", "smallest_solid_angle", "largest_solid_angle", "non_orthogonality",
+           "cell_aspect_ratio", "determinant", "volume_ratio", "face_pyramid")
 ENDS = ("min", "mean", "max", "worst_element", "worst_x", "worst_y", "worst_z")
 HEIGHTS = ("first_height_min", "first_height_median", "first_height_max")
 
