@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include "core/quality/finite_volumes.h"
 #include "core/quality/volume_element.h"
 
