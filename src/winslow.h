@@ -20,6 +20,7 @@
 #include "core/mesh/topology.h"
 #include "core/problem/smoothing_problem.h"
 #include "core/quality/metric.h"
+#include "core/quality/openfoam_measures.h"
 #include "core/quality/quality.h"
 #include "core/strategy/run.h"
 #include "core/version.h"

@@ -7,7 +7,8 @@ import volume_meshes
 from support import INPUT, INVERTED, USAGE, ProgramTest
 
 METRICS = ("normalized_jacobian", "aspect_ratio", "condition_number", "smallest_angle", "largest_angle",
-           "skewness", "smallest_solid_angle", "largest_solid_angle")
+           "skewness", "smallest_solid_angle", "largest_solid_angle", "non_orthogonality",
+           "cell_aspect_ratio", "determinant", "volume_ratio", "face_pyramid")
 ENDS = ("min", "mean", "max", "worst_element", "worst_x", "worst_y", "worst_z")
 HEIGHTS = ("first_height_min", "first_height_median", "first_height_max")
 
@@ -75,6 +76,44 @@ class Quality(ProgramTest):
         run = self.winslow("quality", "ring.su2", "--quiet", "--report", "q.json")
         self.assertEqual((run.stdout, run.stderr), ("", ""))
         self.assertEqual(self.json("q.json")["inverted"], 0)
+
+    def test_openfoams_measures_of_volume_meshes(self):
+        nodes, cells, markers = volume_meshes.box_mesh()
+        volume_meshes.write_box(self.path("box.su2"))
+        run = self.winslow("quality", "box.su2", "--report", "q.json")
+        report = self.json("q.json")
+        measures, quality = report["openfoam"], report["quality"]
+        self.assertAlmostEqual(measures["total_volume"], 1 - 1 / volume_meshes.N ** 3)
+        self.assertAlmostEqual(measures["volume"]["min"], 1 / 6 / volume_meshes.N ** 3)
+        self.assertAlmostEqual(measures["edge_length"]["max"], 3 ** .5 / volume_meshes.N)
+        faces, outer = 4 * len(cells), sum(map(len, markers.values()))
+        self.assertEqual(measures["skewness"]["count"], (faces + outer) / 2)
+        self.assertEqual(measures["non_orthogonality"]["count"], (faces - outer) / 2)
+        self.assertEqual(measures["volume"]["count"], len(cells))
+        self.assertLess(max(map(abs, measures["boundary_openness"])), 1e-14)
+        self.assertEqual(measures["failures"], [])
+        for metric, end, name in (("non_orthogonality", "max", None), ("skewness", "max", None),
+                                  ("cell_aspect_ratio", "max", "aspect_ratio"),
+                                  ("determinant", "min", None), ("volume_ratio", "min", None)):
+            self.assertEqual(quality[metric][end], measures[name or metric][end])
+        lines = run.stdout.splitlines()
+        row = next(line for line in lines if line.startswith("Non-orthogonality, degrees"))
+        self.assertEqual(row.split()[2:], [f"{measures['non_orthogonality'][end]:.6g}" for end in ("min", "avg", "max")]
+                         + ["<=", "70", "all", "internal", "faces"])
+        self.assertIn("checkMesh finds no fault of the geometry", lines)
+        # A node inside is pulled through its neighbours.
+        inner = next(n for n, p in enumerate(nodes) if all(.1 < x < .3 for x in p))
+        volume_meshes.write_box(self.path("bad.su2"), (inner, (.9, .25, .3)))
+        run = self.winslow("quality", "bad.su2", "--report", "q.json", code=INVERTED)
+        measures = self.json("q.json")["openfoam"]
+        self.assertGreater(measures["pyramid_errors"], 0)
+        self.assertIn(f"{measures['pyramid_errors']} pyramids of faces with negative volume", run.stdout)
+        self.assertRegex(run.stdout, r"Non-orthogonality, degrees .* but \d+ of \d+ internal faces")
+        # A plane mesh has no such measures, and a table of several meshes leaves them out.
+        self.ring("a.su2")
+        self.assertNotIn("OpenFOAM", self.winslow("quality", "a.su2", "--report", "q.json").stdout)
+        self.assertNotIn("openfoam", self.json("q.json"))
+        self.assertNotIn("OpenFOAM", self.winslow("quality", "a.su2", "box.su2").stdout)
 
 
 class ManyMeshes(ProgramTest):

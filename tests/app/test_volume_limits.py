@@ -8,9 +8,11 @@ from support import DONE, INVERTED, USAGE, ProgramTest
 from volume_meshes import box_mesh, write_box
 
 MOVE = ("--marker", "body", "--rotate", "60", "--axis", "1", "1", "2", "--translate", ".1", "0", ".1")
-LEAST = {"normalized_jacobian": "Scaled Jacobian", "smallest_solid_angle": "Smallest solid angle"}
+LEAST = {"normalized_jacobian": "Scaled Jacobian", "smallest_solid_angle": "Smallest solid angle",
+         "volume_ratio": "Volume ratio", "face_pyramid": "Face pyramid"}
 LARGEST = {"aspect_ratio": "Aspect ratio", "condition_number": "Condition number",
-           "largest_solid_angle": "Largest solid angle"}
+           "largest_solid_angle": "Largest solid angle", "non_orthogonality": "Non-orthogonality",
+           "skewness": "Skewness", "cell_aspect_ratio": "Cell aspect ratio"}
 
 
 def scaled_jacobian(corners):
@@ -83,14 +85,14 @@ class VolumeLimits(ProgramTest):
         self.assertEqual(self.path("again.su2").read_bytes(), self.path("out.su2").read_bytes())
 
     def test_limits_to_what_elements_do_not_have_are_refused(self):
-        for limit in ("skewness=.5", "smallest_angle=1"):
+        for limit in ("largest_angle=150", "smallest_angle=1"):
             run = self.move("--min-quality", limit, code=USAGE)[0]
             self.assertIn(f"found {limit.split('=')[0]}, which volume elements do not have", run.stderr)
             self.assertIn("smallest_solid_angle", run.stderr)
         self.assertIn("not reported", self.move("--min-quality", "volume=1", code=USAGE)[0].stderr)
         self.assertIn("unknown metric 'beauty'", self.move("--min-quality", "beauty=1", code=USAGE)[0].stderr)
         run = self.winslow("move", self.ring(), "-o", "out.su2", "--marker", "body", "--rotate", 9,
-                           "--min-quality", "largest_solid_angle=3", code=USAGE)
+                           "--min-quality", "non_orthogonality=70", code=USAGE)
         self.assertIn("which plane elements do not have, expected one of: normalized_jacobian", run.stderr)
         self.assertNotIn("out.su2", self.files())
 

@@ -3,7 +3,7 @@
 #include "app/options/flags.h"
 #include "app/output/terminal.h"
 #include "core/command/command.h"
-#include "core/quality/quality.h"
+#include "core/quality/openfoam_measures.h"
 #include "core/quality/surface_distance.h"
 #include "io/tables/slide_files.h"
 
@@ -18,6 +18,7 @@ struct ZoneRun {
   QualityReport quality, before;  ///< of the result; of the mesh that was read
   std::optional<SurfaceChange> surface =
       std::nullopt;  ///< for a surface mesh: change from the mesh that was read
+  std::optional<OpenFoamMeasures> openfoam = std::nullopt;  ///< measured by `quality` alone
 
   /// Number of the zone; 0 for a file without zones.
   int number() const;

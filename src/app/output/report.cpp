@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/output/openfoam_section.h"
 #include "app/output/tables.h"
 #include "app/output/terminal.h"
 #include "core/layers/layer_stack.h"
@@ -369,6 +370,7 @@ json describe_zones(const std::vector<ZoneResult>& zones) {
     json block = describe_mesh(*z.mesh, *z.quality, z.before);
     if (z.layers != nullptr) block["layers"] = describe_layers(*z.layers, z.mesh->coordinates);
     if (z.surface != nullptr) block["surface"] = describe_surface(*z.surface);
+    if (z.openfoam != nullptr) block["openfoam"] = describe_openfoam_measures(*z.openfoam);
     if (z.periodic != nullptr && !z.periodic->pairs.empty())
       block["periodic_in_file"] = describe_pairs(*z.periodic, *z.mesh);
     if (!z.regions_array.empty()) block["regions_array"] = z.regions_array;

@@ -7,7 +7,7 @@
 #include "core/layers/layer_stack.h"
 #include "core/mesh/mesh.h"
 #include "core/motion/motion.h"
-#include "core/quality/quality.h"
+#include "core/quality/openfoam_measures.h"
 #include "core/quality/surface_distance.h"
 #include "core/strategy/run.h"
 
@@ -89,6 +89,7 @@ struct ZoneResult {
   /// Periodic sides that the file names for this mesh; null: not reported.
   const GivenPeriodicity* periodic = nullptr;
   std::string regions_array = {};  ///< name of the array that holds the regions; empty: none
+  const OpenFoamMeasures* openfoam = nullptr;  ///< of a volume mesh; null: not measured
 };
 
 /// Describes meshes. One mesh: describe_mesh() and its other blocks. Several: the sums of "nodes",

@@ -3,6 +3,7 @@
 
 #include "app/job/edit_job.h"
 #include "app/options/flags.h"
+#include "app/output/openfoam_section.h"
 #include "app/output/quality_csv.h"
 #include "app/output/report.h"
 #include "app/output/tables.h"
@@ -37,7 +38,8 @@ nlohmann::json describe(const MeasuredFile& file) {
   std::vector<ZoneResult> results;
   for (const ZoneRun& z : file.zones) {
     results.push_back({z.number(), &z.source.mesh, &z.quality, nullptr, nullptr, nullptr,
-                       z.source.details->periodic.get(), z.source.details->regions_array});
+                       z.source.details->periodic.get(), z.source.details->regions_array,
+                       z.openfoam ? &*z.openfoam : nullptr});
   }
   return describe_zones(results);
 }
@@ -188,6 +190,10 @@ class QualitySubcommand : public Subcommand {
 
   /// Several meshes are printed as one is.
   bool blocks() const { return histogram_ || worst_flag_->count() > 0; }
+  /// Whether more is shown than the table of several meshes or the rows of a CSV file.
+  bool shows_all() const {
+    return !report_.empty() || (!quiet_ && (inputs_.size() == 1 || blocks()));
+  }
 
   MeasuredFile measure(const std::string& input, Timings& seconds) const {
     Stopwatch lap;
@@ -198,7 +204,12 @@ class QualitySubcommand : public Subcommand {
     seconds.load += lap.lap();
     QualityOptions options = options_;
     if (!csv_.empty()) options.worst = std::max(options.worst, 1);
-    for (ZoneRun& zone : file.zones) zone.quality = measure_quality(zone.source.mesh, options);
+    for (ZoneRun& zone : file.zones) {
+      const Mesh& mesh = zone.source.mesh;
+      zone.quality = measure_quality(mesh, options);
+      if (mesh.topology->kind() == MeshKind::volume && shows_all())
+        zone.openfoam = openfoam_measures(mesh, options.threads);
+    }
     seconds.solve += lap.lap();
     return file;
   }
@@ -274,6 +285,10 @@ class QualitySubcommand : public Subcommand {
       if (zone.quality.has_walls()) {
         std::cout << '\n';
         print_walls(std::cout, nullptr, zone.quality.walls);
+      }
+      if (zone.openfoam) {
+        std::cout << '\n';
+        print_openfoam_measures(std::cout, *zone.openfoam);
       }
       print_pairs(std::cout, *zone.source.details->periodic, zone.source.details->roles.pairs_move,
                   mesh);

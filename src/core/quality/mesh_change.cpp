@@ -199,17 +199,22 @@ void QualityFloor::require_dimension(int cell_dimension) const {
 std::string QualityFloor::fault(const Mesh& mesh, const Coordinates& given) const {
   const Topology& topology = *mesh.topology;
   const int dimension = topology.cell_dimension();
+  std::vector<Metric> metrics;
+  std::vector<double> least;
   for (std::size_t m = 0; m < limits.size(); ++m) {
     if (!limits[m]) continue;
-    const Metric metric = limited_metrics()[m];
-    const FieldInfo& info = metric_info(metric, dimension).field;
-    const double limit = *limits[m];
-    const auto values = element_values(mesh, metric);
+    metrics.push_back(limited_metrics()[m]);
+    least.push_back(*limits[m]);
+  }
+  const auto values = element_values(mesh, metrics);
+  for (std::size_t m = 0; m < metrics.size(); ++m) {
+    const FieldInfo& info = metric_info(metrics[m], dimension).field;
     for (Index e = 0; e < topology.element_count(); ++e) {
-      const double value = values[static_cast<std::size_t>(e)];
-      if (within(info, value, limit)) continue;
+      const double value = values[m][at(e)];
+      if (within(info, value, least[m])) continue;
       const bool apart = topology.kind() == MeshKind::volume && all_on_boundary(topology, e);
-      if (!apart || !was_no_better(mesh, given, e, metric, value)) return broken(info, limit);
+      if (!apart || !was_no_better(mesh, given, e, metrics[m], value))
+        return broken(info, least[m]);
     }
   }
   return {};

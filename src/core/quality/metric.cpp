@@ -120,7 +120,6 @@ constexpr std::array plane_metrics{
                area),
 };
 
-/// In the order of the enumeration.
 constexpr std::array volume_metrics{
     MetricInfo(
         Metric::normalized_jacobian,
@@ -160,6 +159,51 @@ constexpr std::array volume_metrics{
                          Better::larger, ColorRange::robust_both_sides, 0,
                          {.has_sign = true, .unit = "cubed units of the mesh"}),
                &VolumeElement::volume),
+    MetricInfo(
+        Metric::non_orthogonality,
+        FieldInfo("non_orthogonality", "Non-orthogonality",
+                  "OpenFOAM's: largest angle between the normal of a face and the line between the "
+                  "centres of its two cells, in degrees. 0 is best; above 70 checkMesh warns.",
+                  Better::smaller, ColorRange::from_zero, 70, {.unit = "degrees"}),
+        &FiniteVolumes::non_orthogonality, 0),
+    MetricInfo(
+        Metric::skewness,
+        FieldInfo("skewness", "Skewness",
+                  "OpenFOAM's: largest distance of a face's centre from the line between the "
+                  "centres of its two cells, relative to the face. 0 is best; above 4 checkMesh "
+                  "fails.",
+                  Better::smaller, ColorRange::from_zero, 4),
+        &FiniteVolumes::skewness, 0),
+    MetricInfo(
+        Metric::cell_aspect_ratio,
+        FieldInfo("cell_aspect_ratio", "Cell aspect ratio",
+                  "OpenFOAM's: ratio of the areas of the faces as seen along x, y and z. 1 is best "
+                  "for a mesh that is not stretched on purpose; above 1000 checkMesh fails.",
+                  Better::smaller, ColorRange::from_one, 1000, {.judged = false}),
+        &FiniteVolumes::aspect_ratio, 1),
+    MetricInfo(
+        Metric::determinant,
+        FieldInfo("determinant", "Cell determinant",
+                  "OpenFOAM's: determinant of the area vectors of the internal faces. 1 for a cube "
+                  "inside a mesh, 0 without neighbours in one direction; checkMesh -allGeometry "
+                  "fails below 0.001.",
+                  Better::larger, ColorRange::zero_to_one, 0.001),
+        &FiniteVolumes::determinant, 1),
+    MetricInfo(
+        Metric::volume_ratio,
+        FieldInfo("volume_ratio", "Volume ratio",
+                  "OpenFOAM's: smallest ratio of the volumes of an element and a neighbour. 1 is "
+                  "best; checkMesh -allGeometry fails below 0.01.",
+                  Better::larger, ColorRange::zero_to_one, 0.01),
+        &FiniteVolumes::volume_ratio, 1),
+    MetricInfo(
+        Metric::face_pyramid,
+        FieldInfo("face_pyramid", "Face pyramid",
+                  "Smallest volume of the pyramids over an element's faces, with their apex in its "
+                  "centre, relative to their mean. 1 is best; checkMesh fails where it is "
+                  "negative.",
+                  Better::larger, ColorRange::up_to_one, 0, {.has_sign = true}),
+        &FiniteVolumes::face_pyramid, 1),
 };
 
 /// All metrics of elements of one dimension.

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <limits>
-
+#include "core/quality/finite_volumes.h"
 #include "core/quality/volume_element.h"
 
 /// The metrics by their names:
@@ -120,6 +119,16 @@ inline Corner corner_of(const Points<3>& x, std::span<const Index> element, std:
 /// - smallest_solid_angle, largest_solid_angle: of the corners, in steradians, negative where
 ///   inverted (AIAA 2009-1362, section IV). 0.551 of the regular tetrahedron, pi/2 of a cube.
 /// - volume: signed volume of the element, in cubed units of the file.
+/// And those of OpenFOAM, which depend on the neighbours, too (FiniteVolumes has the formulas):
+/// - non_orthogonality: largest angle between the area vector of a face and the line between the
+///   centres of its two cells, in degrees. 0 is best.
+/// - skewness: largest distance of a face's centre from that line, over the size of the face. 0 is
+///   best.
+/// - cell_aspect_ratio: of the areas of the faces, projected along x, y and z. 1 is best.
+/// - determinant: of the area vectors of the internal faces. 1 for a cube inside a mesh.
+/// - volume_ratio: smallest ratio of the volumes of the element and a neighbour. 1 is best.
+/// - face_pyramid: smallest volume of a face's pyramid over the mean of the element. 1 is best,
+///   negative where a face is seen from its wrong side.
 /// A volume element is inverted unless its Jacobian is positive all over it:
 /// has_positive_jacobian().
 enum class Metric {
@@ -132,7 +141,12 @@ enum class Metric {
   area,
   smallest_solid_angle,
   largest_solid_angle,
-  volume
+  volume,
+  non_orthogonality,
+  cell_aspect_ratio,
+  determinant,
+  volume_ratio,
+  face_pyramid
 };
 
 /// The range of values that the colours of a field cover. The robust largest value leaves out the
@@ -182,6 +196,7 @@ struct FieldInfo : FieldTraits {
 struct MetricInfo {
   using OfElement = double (*)(std::span<const Corner> corners);
   using OfVolume = double (VolumeElement::*)() const;
+  using OfCell = double (FiniteVolumes::*)(Index cell) const;
   using OfCorner = double (Corner::*)() const;
 
   /// best: end of the histogram; if it is given, the metric is reported.
@@ -195,11 +210,14 @@ struct MetricInfo {
         best(b.value_or(1)) {}
   constexpr MetricInfo(Metric m, const FieldInfo& f, OfVolume of, std::optional<double> b = {})
       : metric(m), field(f), of_volume(of), reported(b.has_value()), best(b.value_or(1)) {}
+  constexpr MetricInfo(Metric m, const FieldInfo& f, OfCell of, double b)
+      : metric(m), field(f), of_cell(of), reported(true), best(b) {}
 
   Metric metric;
   FieldInfo field;
   OfElement of_element = nullptr;  ///< of the corners of a plane element, in the order of its nodes
-  OfVolume of_volume = nullptr;    ///< a metric has one of the two
+  OfVolume of_volume = nullptr;
+  OfCell of_cell = nullptr;  ///< depends on neighbours, too; a metric has one of the three
   /// Statistics use this value of all corners of all elements; null: they use the finite values of
   /// the elements.
   OfCorner of_corner = nullptr;

@@ -68,6 +68,28 @@ Histogram histogram_of(std::span<const double> values, double low, double high, 
   return h;
 }
 
+/// Fills in the values of metrics that depend on neighbours (MetricInfo::of_cell).
+/// values: of each metric, #elements.
+void measure_cells(const Mesh& mesh, std::span<const MetricInfo* const> infos,
+                   std::vector<std::vector<double>>& values, int threads) {
+  if (std::ranges::none_of(infos, [](const MetricInfo* info) { return info->of_cell != nullptr; }))
+    return;
+  const CellFaces faces = cell_faces(*mesh.topology);
+  const FiniteVolumes cells(faces, mesh.coordinates, threads);
+  parallel_for(threads, faces.cell_count(), [&](Index begin, Index end) {
+    for (std::size_t m = 0; m < infos.size(); ++m) {
+      if (!infos[m]->of_cell) continue;
+      for (Index e = begin; e < end; ++e) values[m][at(e)] = (cells.*infos[m]->of_cell)(e);
+    }
+  });
+}
+
+std::vector<const MetricInfo*> infos_of(std::span<const Metric> metrics, int cell_dimension) {
+  std::vector<const MetricInfo*> infos;
+  for (const Metric metric : metrics) infos.push_back(&metric_info(metric, cell_dimension));
+  return infos;
+}
+
 /// Values of the reported metrics, in their order.
 struct Values {
   Values(const Mesh& mesh, std::span<const Vec3> normals, int threads);
@@ -79,12 +101,12 @@ struct Values {
 
 Values::Values(const Mesh& mesh, std::span<const Vec3> normals, int threads) {
   const Topology& topology = *mesh.topology;
-  std::vector<const MetricInfo*> infos;
+  const int dimension = topology.cell_dimension();
+  const auto infos = infos_of(reported_metrics(dimension), dimension);
   const auto elements = at(topology.element_count());
-  for (const Metric metric : reported_metrics(topology.cell_dimension())) {
-    infos.push_back(&metric_info(metric, topology.cell_dimension()));
+  for (const MetricInfo* info : infos) {
     of_elements.emplace_back(elements);
-    of_corners.emplace_back(infos.back()->of_corner ? topology.elements().values.size() : 0);
+    of_corners.emplace_back(info->of_corner ? topology.elements().values.size() : 0);
   }
   inverted.resize(elements);
   parallel_for(threads, topology.element_count(), [&](Index begin, Index end) {
@@ -94,6 +116,7 @@ Values::Values(const Mesh& mesh, std::span<const Vec3> normals, int threads) {
         inverted[at(e)] = element.inverted();
         const auto corners = corners_in(element);
         for (std::size_t m = 0; m < infos.size(); ++m) {
+          if (infos[m]->of_cell) continue;
           of_elements[m][at(e)] = infos[m]->of(element);
           if (!infos[m]->of_corner) continue;
           for (std::size_t k = 0; k < corners.size(); ++k)
@@ -102,6 +125,7 @@ Values::Values(const Mesh& mesh, std::span<const Vec3> normals, int threads) {
       });
     }
   });
+  measure_cells(mesh, infos, of_elements, threads);
 }
 
 /// Counts the elements that no smoothing can change.
@@ -219,16 +243,30 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
 
 double element_value(const Mesh& mesh, Index e, Metric metric, std::span<const Vec3> normals) {
   const MetricInfo& info = metric_info(metric, mesh.topology->cell_dimension());
+  if (info.of_cell) {
+    const CellSurroundings near = cell_surroundings(*mesh.topology, e);
+    return (FiniteVolumes(near.faces, mesh.coordinates, 1).*info.of_cell)(near.cell);
+  }
   return with_element(mesh, normals, e, [&](const auto& element) { return info.of(element); });
 }
 
 std::vector<double> element_values(const Mesh& mesh, Metric metric, std::span<const Vec3> normals) {
-  std::vector<double> values(at(mesh.topology->element_count()));
-  parallel_for(0, mesh.topology->element_count(), [&](Index begin, Index end) {
-    for (Index e = begin; e < end; ++e) {
-      values[at(e)] = element_value(mesh, e, metric, normals);
-    }
-  });
+  return std::move(element_values(mesh, {&metric, 1}, normals).front());
+}
+
+std::vector<std::vector<double>> element_values(const Mesh& mesh, std::span<const Metric> metrics,
+                                                std::span<const Vec3> normals, int threads) {
+  const auto infos = infos_of(metrics, mesh.topology->cell_dimension());
+  const Index elements = mesh.topology->element_count();
+  std::vector<std::vector<double>> values(metrics.size(), std::vector<double>(at(elements)));
+  for (std::size_t m = 0; m < infos.size(); ++m) {
+    if (infos[m]->of_cell) continue;
+    parallel_for(threads, elements, [&](Index begin, Index end) {
+      for (Index e = begin; e < end; ++e)
+        values[m][at(e)] = element_value(mesh, e, metrics[m], normals);
+    });
+  }
+  measure_cells(mesh, infos, values, threads);
   return values;
 }
 

@@ -187,8 +187,9 @@ TEST_CASE("the card of a marker's colour has no two entries of one name") {
 
 TEST_CASE("the colours and the legend know the metrics of volumes") {
   LookingRig rig;
-  for (const Metric metric : {Metric::normalized_jacobian, Metric::aspect_ratio,
-                              Metric::condition_number, Metric::smallest_solid_angle}) {
+  for (const Metric metric :
+       {Metric::normalized_jacobian, Metric::aspect_ratio, Metric::condition_number,
+        Metric::smallest_solid_angle, Metric::non_orthogonality, Metric::volume_ratio}) {
     set_view(rig, [&](ViewOptions& view) { view.color = ElementField(metric, 3); });
     CAPTURE(static_cast<int>(metric));
     REQUIRE(rig.volume().legend().has_value());
