@@ -236,11 +236,13 @@ class Tutorials(FoamTest):
         self.moved("incompressible/pimpleFoam/LES/channel395", "deform", "--marker", "bottomWall",
                    "--sine", "0.05", "2", "--along", "1", "0", "0")
 
-    def test_a_mesh_of_polyhedra_is_refused_by_name(self):
+    def test_a_dual_mesh_of_polyhedra_is_read_and_smoothed(self):
         case = self.tutorial("incompressible/icoFoam/cavity/cavity")
         self.foam("polyDualMesh", "-case", case, "75", "-overwrite")
-        run = self.winslow("quality", case, code=INPUT)
-        self.assertRegex(run.stderr, "a polyhedron|a polygon of")
+        run = self.winslow("quality", case)
+        self.assertIn("0 inverted", run.stdout)
+        run = self.winslow("convert", case, "-o", "dual.su2", code=USAGE)
+        self.assertIn("cannot hold the", run.stderr)
 
 
 if __name__ == "__main__":

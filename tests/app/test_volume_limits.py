@@ -9,7 +9,7 @@ from volume_meshes import box_mesh, write_box
 
 MOVE = ("--marker", "body", "--rotate", "60", "--axis", "1", "1", "2", "--translate", ".1", "0", ".1")
 LEAST = {"normalized_jacobian": "Scaled Jacobian", "smallest_solid_angle": "Smallest solid angle",
-         "volume_ratio": "Volume ratio", "face_pyramid": "Face pyramid"}
+         "volume_ratio": "Volume ratio"}
 LARGEST = {"aspect_ratio": "Aspect ratio", "condition_number": "Condition number",
            "largest_solid_angle": "Largest solid angle", "non_orthogonality": "Non-orthogonality",
            "skewness": "Skewness", "cell_aspect_ratio": "Cell aspect ratio"}

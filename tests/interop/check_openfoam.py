@@ -285,7 +285,10 @@ def compare_report(name, case, seen, args):
     equal, precision = 0, precision_of(case)
     for place, text in seen.items():
         ours = our_number(measures, place)
-        same = same_number(place, text, ours, precision)
+        if text == "-1":  # checkMesh measures no aspect ratio where empty patches leave no direction
+            continue
+        # Round-off depends on where the nodes of a face begin, which a reader may change.
+        same = same_number(place, text, ours, precision) or max(abs(float(text)), abs(ours)) < 1e-12
         equal += same
         check(f"{name}, winslow quality: {place}", same, f"checkMesh {text}, we {ours:.17g}")
     return f"{equal} of {len(seen)}"

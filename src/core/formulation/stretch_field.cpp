@@ -203,8 +203,7 @@ class Field {
     make_exact(e);
   }
   void make_exact(Index e) {
-    stretch_[at(e)] =
-        cell_stretch(topology_.shape(e), topology_.element(e), SpacePoints(given_));
+    stretch_[at(e)] = cell_stretch(topology_.shape(e), topology_.element(e), SpacePoints(given_));
     exact_[at(e)] = 1;
   }
 

@@ -50,10 +50,9 @@ class VolumeTargets : TargetBuilder {
 
   /// Whether no corner of an element is inverted or flat in the mesh as given.
   bool has_shape(Index e) const {
-    return std::ranges::all_of(
-        topology_.shape(e).corner_tetrahedra, [&](const auto& corner) {
-          return has_metric(own_edges(e, by_nodes(corner, topology_.element(e))));
-        });
+    return std::ranges::all_of(topology_.shape(e).corner_tetrahedra, [&](const auto& corner) {
+      return has_metric(own_edges(e, by_nodes(corner, topology_.element(e))));
+    });
   }
   bool free(Index node) const { return !topology_.on_boundary(node); }
   /// The VCV given by hand to a node; null if there is none or the element ignores it.
@@ -167,9 +166,9 @@ class VolumeTargets : TargetBuilder {
     const auto corners = shape.corner_tetrahedra.size();
     const auto known =
         at(corner) < corners ? regular_metric(shape, at(corner)) : std::optional<Eigen::Matrix3d>();
-    const Eigen::Matrix3d regular = known   ? *known
-                                    : own   ? *own
-                                            : volume_metric(Edges3(Edges3::Identity()));
+    const Eigen::Matrix3d regular = known ? *known
+                                    : own ? *own
+                                          : volume_metric(Edges3(Edges3::Identity()));
     if (keeps()) return fill_kept(cell, regular);
     const double vcv = vcv_share(e, nodes[0]);
     Eigen::Matrix3d sum = blend_.element * regular + blend_.automatic * own.value_or(regular);
@@ -208,8 +207,7 @@ class VolumeTargets : TargetBuilder {
     const auto [e, corner, weight] = origins_[at(cell)];
     const auto first = at(targets_.offsets[at(cell)]);
     const auto own = is_lost(e) ? std::nullopt : own_metric(e, targets_.cells[at(cell)]);
-    const auto terms =
-        kept_terms(topology_.shape(e), regular, own.value_or(regular), weight);
+    const auto terms = kept_terms(topology_.shape(e), regular, own.value_or(regular), weight);
     targets_.terms[first] = terms.own;
     targets_.terms[first + 1] = terms.guard;
     targets_.inverse_limits[first + 1] = terms.inverse_limit;

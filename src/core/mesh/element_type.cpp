@@ -182,12 +182,8 @@ constexpr Table<8, 12, 6> hexahedron{
               Face(0, 4, 7, 3), Face(4, 5, 6, 7)},
     .mirrored = {0, 3, 2, 1, 4, 7, 6, 5}};
 
-constexpr Table<0, 0, 0> polyhedron{.name = "polyhedron",
-                                    .dimension = 3,
-                                    .corners = {},
-                                    .edges = {},
-                                    .faces = {},
-                                    .mirrored = {}};
+constexpr Table<0, 0, 0> polyhedron{
+    .name = "polyhedron", .dimension = 3, .corners = {}, .edges = {}, .faces = {}, .mirrored = {}};
 
 template <const auto& table>
 constexpr auto links = links_of(table);

@@ -125,8 +125,8 @@ inline constexpr std::array<ElementType, 6> fixed_element_types{
     ElementType::triangle, ElementType::quadrilateral, ElementType::tetrahedron,
     ElementType::pyramid,  ElementType::prism,         ElementType::hexahedron};
 
-/// Edges, faces and links of an element, by the numbers of its corners: of all elements of one type,
-/// or of one polyhedron (PolyhedronShape).
+/// Edges, faces and links of an element, by the numbers of its corners: of all elements of one
+/// type, or of one polyhedron (PolyhedronShape).
 ///
 /// Corners, edges and faces are numbered as CGNS does (SIDS, "Unstructured Grid Element Numbering
 /// Conventions": TRI_3, QUAD_4, TETRA_4, PYRA_5, PENTA_6, HEXA_8), counted from zero. VTK has the

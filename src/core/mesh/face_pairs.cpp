@@ -89,8 +89,7 @@ struct SortedSides {
         put(all[0], {Face(std::span(all.begin() + 1, all.end())), side, e, ascends(nodes)});
       } else {
         const Face all = nodes.sorted();
-        put(all[0],
-            {{all[1], all[2], all.size() > 3 ? all[3] : -1}, side, e, ascends(nodes)});
+        put(all[0], {{all[1], all[2], all.size() > 3 ? all[3] : -1}, side, e, ascends(nodes)});
       }
     });
     begin.pop_back();
@@ -113,9 +112,7 @@ struct SortedSides {
   std::span<Side<N>> at_node(Index node) {
     return {sides.begin() + begin[at(node)], sides.begin() + begin[at(node) + 1]};
   }
-  void put(Index low, Side<N> side) {
-    sides[at(count_one(begin[at(low) + 1]))] = std::move(side);
-  }
+  void put(Index low, Side<N> side) { sides[at(count_one(begin[at(low) + 1]))] = std::move(side); }
 };
 
 template <std::size_t N>
@@ -189,8 +186,7 @@ FacePairs pair_faces(const MeshData& data) {
   FacePairs pairs;
   pairs.side_offsets.reserve(data.types.size() + 1);
   pairs.side_offsets.push_back(0);
-  for (Index e = 0; e < data.element_count(); ++e)
-    pairs.side_offsets.push_back(data.face_count(e));
+  for (Index e = 0; e < data.element_count(); ++e) pairs.side_offsets.push_back(data.face_count(e));
   add_up(pairs.side_offsets, sides_of_elements);
   if (data.kind() != MeshKind::volume)
     pair_sides<2>(data, pairs);
@@ -219,8 +215,7 @@ double volume6_of(const MeshData& data, Index e, const Vec3& origin) {
   if (data.types[at(e)] != ElementType::polyhedron)
     return signed_volume6(data.coordinates, shape_of(data.types[at(e)]), data.element(e), origin);
   double sum = 0;
-  for (const Face& face : data.polyhedron(e))
-    sum += signed_volume6(data.coordinates, face, origin);
+  for (const Face& face : data.polyhedron(e)) sum += signed_volume6(data.coordinates, face, origin);
   return sum;
 }
 
@@ -335,8 +330,7 @@ bool positive_throughout(const MeshData& data, const FacePairs& pairs) {
       for (const Index node : corners) box.add(x[node]);
       const double size = box.size().maxCoeff();
       constexpr double certain = 1e-12;  // orders of magnitude above round-off
-      const double volume =
-          volume6_of(data, e, x[corners[0]]);
+      const double volume = volume6_of(data, e, x[corners[0]]);
       if (!(volume > certain * size * size * size)) positive = false;
     }
   });

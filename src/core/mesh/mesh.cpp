@@ -259,9 +259,8 @@ void check_shapes(const Mesh& mesh) {
   const Topology& topology = *mesh.topology;
   if (topology.kind() == MeshKind::volume) {
     const SpacePoints x(mesh.coordinates);
-    check_extents(topology, "volume (its corners lie in one plane)", [&](Index e) {
-      return has_volume(x, topology.shape(e), topology.element(e));
-    });
+    check_extents(topology, "volume (its corners lie in one plane)",
+                  [&](Index e) { return has_volume(x, topology.shape(e), topology.element(e)); });
     check_hanging_on_faces(topology, x);
     return;
   }

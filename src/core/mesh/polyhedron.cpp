@@ -122,9 +122,9 @@ void PolyhedronShape::find_tetrahedra(std::span<const Vec3> places) {
   const auto is_flat = [&](const Face& link, std::size_t corner) {
     const auto n = link.size();
     for (std::size_t k = 0; k < (n > 3 ? n : n - 2); ++k)
-      if (std::abs(sine_of({static_cast<Index>(corner), link[k], link[(k + 1) % n],
-                            link[(k + 2) % n]},
-                           places)) >= flat_sine)
+      if (std::abs(
+              sine_of({static_cast<Index>(corner), link[k], link[(k + 1) % n], link[(k + 2) % n]},
+                      places)) >= flat_sine)
         return false;
     return true;
   };
@@ -188,8 +188,7 @@ std::uint8_t PolyhedronShape::sides_of_face(Index corner, Index next, Index prev
   for (const Face& face : faces_) {
     const std::size_t n = face.size(), k = index_of(face, corner);
     if (k == n || face[(k + 1) % n] != next || face[(k + n - 1) % n] != previous) continue;
-    const auto count =
-        std::ranges::count_if(face, [&](Index other) { return !flat_[at(other)]; });
+    const auto count = std::ranges::count_if(face, [&](Index other) { return !flat_[at(other)]; });
     return static_cast<std::uint8_t>(std::clamp<std::ptrdiff_t>(count, 3, 255));
   }
   return 0;

@@ -4,9 +4,10 @@
 
 /// The shape of a cell that is given by its faces:
 ///
-///     const std::vector<winslow::Face> faces = ...;  // by corner numbers
+///     const std::vector<winslow::Vec3> places{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+///     const std::vector<winslow::Face> faces{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 ///     const winslow::PolyhedronShape cell(faces, places);
-///     for (const auto& corners : cell.shape().corner_tetrahedra) ...
+///     std::printf("%zu edges\n", cell.shape().edges.size());
 namespace winslow {
 
 /// Why faces do not bound a polyhedron, in words for messages.

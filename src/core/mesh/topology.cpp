@@ -169,8 +169,8 @@ std::vector<Face> node_link(const Topology& topology, Index node) {
 
 namespace {
 
-/// Throws MeshError for a polyhedron without faces of its own, with a face that has fewer than three
-/// nodes or one of them twice, or with one between other nodes than its corners.
+/// Throws MeshError for a polyhedron without faces of its own, with a face that has fewer than
+/// three nodes or one of them twice, or with one between other nodes than its corners.
 void check_faces(const MeshData& data, Index e) {
   const std::string name = "element " + std::to_string(e) + ", a polyhedron, has ";
   std::vector<Index> corners(data.element(e).begin(), data.element(e).end());
@@ -181,17 +181,17 @@ void check_faces(const MeshData& data, Index e) {
     throw MeshError(MeshEntity::element, e, name + "no faces, expected four or more");
   for (const Face& face : data.polyhedron(e)) {
     if (face.size() < 3)
-      throw MeshError(MeshEntity::element, e,
-                      name + "a face of " + std::to_string(face.size()) +
-                          " nodes, expected three or more");
+      throw MeshError(
+          MeshEntity::element, e,
+          name + "a face of " + std::to_string(face.size()) + " nodes, expected three or more");
     const Face sorted = face.sorted();
     if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
       throw MeshError(MeshEntity::element, e,
                       name + "a face with a node twice: " + nodes_text(face));
     if (!std::includes(corners.begin(), corners.end(), sorted.begin(), sorted.end()))
-      throw MeshError(MeshEntity::element, e,
-                      name + "a face with " + nodes_text(face) +
-                          ", expected nodes among its corners");
+      throw MeshError(
+          MeshEntity::element, e,
+          name + "a face with " + nodes_text(face) + ", expected nodes among its corners");
   }
 }
 

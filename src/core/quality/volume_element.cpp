@@ -131,14 +131,37 @@ double VolumeElement::condition_number() const {
 }
 
 double VolumeElement::solid_angle(std::size_t corner) const {
+  if (shape_.type == ElementType::polyhedron) return solid_angle_of_faces(corner);
   const Face& link = shape_.links[corner];
   const Vec3 p = x_[corners_[corner]];
   const auto edge = [&](std::size_t k) { return Vec3(x_[corners_[at(link[k])]] - p); };
   double sum = 0;
   for (std::size_t k = 1; k + 1 < link.size(); ++k)
     sum += solid_angle_of(edge(0), edge(k), edge(k + 1));
-  // The formula knows an angle up to whole spheres.
-  if (shape_.type == ElementType::polyhedron && sum < 0) sum += 4 * pi;
+  return sum;
+}
+
+/// The sum of the angles between the faces at the corner, less (n - 2) pi (Girard). Also holds for
+/// a corner inside an edge or inside a face, at which edges lie in one line or plane.
+double VolumeElement::solid_angle_of_faces(std::size_t corner) const {
+  const Face& link = shape_.links[corner];
+  const std::size_t n = link.size();
+  std::vector<Vec3> areas(n);  // of the face between the edges k and k + 1
+  for (const Face& face : shape_.faces) {
+    const std::size_t m = face.size(), k = index_of(face, static_cast<Index>(corner));
+    if (k == m) continue;
+    const std::size_t place = index_of(link, face[(k + m - 1) % m]);
+    Vec3& area = areas[place] = Vec3::Zero();
+    const Vec3 first = x_[corners_[at(face[0])]];
+    for (std::size_t i = 1; i + 1 < m; ++i)
+      area += (x_[corners_[at(face[i])]] - first).cross(x_[corners_[at(face[i + 1])]] - first);
+  }
+  double sum = (2 - static_cast<double>(n)) * pi;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec3 &one = areas[(k + n - 1) % n], &other = areas[k];
+    const Vec3 along = (x_[corners_[at(link[k])]] - x_[corners_[corner]]).normalized();
+    sum += pi - std::atan2(along.dot(one.cross(other)), one.dot(other));
+  }
   return sum;
 }
 
@@ -302,7 +325,8 @@ struct FaceCentre {
     for (std::size_t k = 0; k < n; ++k) middle += place(k);
     middle /= static_cast<double>(n);
     area = Vec3::Zero();
-    for (std::size_t k = 0; k < n; ++k) area += 0.5 * (place(k) - middle).cross(place(k + 1) - middle);
+    for (std::size_t k = 0; k < n; ++k)
+      area += 0.5 * (place(k) - middle).cross(place(k + 1) - middle);
     const Vec3 normal = area.normalized();
     Vec3 sum = Vec3::Zero();
     double weights = 0;
@@ -335,9 +359,8 @@ bool pyramids_positive(const SpacePoints& x, const ElementShape& shape,
   }
   if (!(volume3 > 0)) return false;
   centre /= volume3;
-  return std::ranges::all_of(faces, [&](const FaceCentre& face) {
-    return face.area.dot(face.centre - centre) > 0;
-  });
+  return std::ranges::all_of(
+      faces, [&](const FaceCentre& face) { return face.area.dot(face.centre - centre) > 0; });
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ class VolumeElement {
     double smallest, largest;
   };
   double solid_angle(std::size_t corner) const;
+  double solid_angle_of_faces(std::size_t corner) const;
   /// Found once, since both take long.
   const SolidAngles& solid_angles() const;
 

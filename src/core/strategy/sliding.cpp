@@ -24,8 +24,9 @@ double flatness(const Mesh& mesh, const Face& face, Index element) {
   const bool plane = x.dimension() == 2;
   const ElementType type = topology.element_type(element);
   const auto corners = topology.element(element);
-  const double measure = plane ? std::abs(signed_area2(x, corners)) / 2
-                               : std::abs(signed_volume6(x, topology.shape(element), corners, x.xyz(face[0]))) / 6;
+  const double measure =
+      plane ? std::abs(signed_area2(x, corners)) / 2
+            : std::abs(signed_volume6(x, topology.shape(element), corners, x.xyz(face[0]))) / 6;
   const double area =
       plane ? (x.xy(face[1]) - x.xy(face[0])).norm() : area_vector(SpacePoints(x), face).norm();
   const bool pointed = plane ? type == ElementType::triangle

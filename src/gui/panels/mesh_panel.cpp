@@ -82,7 +82,8 @@ class MeshPanel {
     for (std::size_t type = 0; type < element_type_count; ++type) {
       const Index count = counts_.of_type[type];
       if (count == 0) continue;
-      ui::figure("  " + plural_of(static_cast<ElementType>(type)), grouped(count), "Elements of this kind.");
+      ui::figure("  " + plural_of(static_cast<ElementType>(type)), grouped(count),
+                 "Elements of this kind.");
     }
     ImGui::EndGroup();
     ui::note("mesh/counts");

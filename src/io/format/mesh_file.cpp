@@ -111,9 +111,9 @@ void check_dimension(const std::filesystem::path& path, const Topology& topology
     const auto& types = topology.element_types();
     const auto count = std::ranges::count(types, ElementType::polyhedron);
     throw UsageError(path.string() + ": " + std::string(format.title) + " files cannot hold the " +
-                     std::to_string(count) + (count == 1 ? " polyhedron" : " polyhedra") + " of this mesh of " +
-                     counted(types.size(), "element") + "; formats that can: " +
-                     formats_with_polyhedra());
+                     std::to_string(count) + (count == 1 ? " polyhedron" : " polyhedra") +
+                     " of this mesh of " + counted(types.size(), "element") +
+                     "; formats that can: " + formats_with_polyhedra());
   }
   if (format.can_write(topology.kind())) return;
   throw UsageError(path.string() + ": " + std::string(format.title) + " files cannot hold a " +
@@ -146,7 +146,7 @@ void build_mesh(const Source& source, const ReadOptions& options, ParsedMesh& pa
     mends = options.defects != Defects::repair && is_mended(parsed, source);
   }
   if (options.defects != Defects::show) {
-    if (mends) throw MendableError(source.place(place) + ": " + fault);
+    if (mends) throw MendableError(source.where(place) + ": " + fault);
     source.fail(place, fault);
   }
   file.defective = true;

@@ -1,7 +1,5 @@
 #include "io/openfoam/cells.h"
 
-#include <utility>
-
 #include "core/parallel/parallel_for.h"
 #include "core/quality/volume_element.h"
 #include "io/format/cell_of_faces.h"

@@ -10,13 +10,13 @@
 ///     mesh.data.regions[0].name;  // "rotor"
 namespace winslow::io::openfoam {
 
-/// Adds the cells of a mesh as elements, in their order (add_cell_of_faces()). Throws InputError for
-/// a cell without faces.
+/// Adds the cells of a mesh as elements, in their order (add_cell_of_faces()). Throws InputError
+/// for a cell without faces.
 void add_cells(const Source& source, const PolyMesh& mesh, ParsedMesh& out);
 
 /// Makes polyhedra of the elements that are inverted, but sound by their faces, as finite volumes
-/// ask (PolyhedronShape, has_positive_jacobian()). snappyHexMesh makes such hexahedra where a corner
-/// comes to lie in a flat part of a wall. The coordinates must be set.
+/// ask (PolyhedronShape, has_positive_jacobian()). snappyHexMesh makes such hexahedra where a
+/// corner comes to lie in a flat part of a wall. The coordinates must be set.
 void give_faces_to_flat_cells(MeshData& data);
 
 /// Reads the file cellZones of a mesh (find_file()), if there is one, and makes a region of each

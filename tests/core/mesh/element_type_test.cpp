@@ -229,7 +229,22 @@ TEST_CASE("a face is a few nodes in cyclic order") {
       "a face with nodes 7, 3, 9 and 1 where an edge of a plane or surface mesh is expected",
       UsageError);
   CHECK_THROWS_AS(Face(std::span<const Index>(nodes).first(1)), UsageError);
-  CHECK_THROWS_AS(Face(std::span<const Index>(std::vector<Index>{1, 2, 3, 4, 5})), UsageError);
+  const std::vector<Index> many{4, 9, 2, 7, 1, 8};
+  Face face{std::span<const Index>(many)};
+  const Face copy = face;
+  CHECK(std::ranges::equal(copy, many));
+  CHECK(std::ranges::equal(face.sorted(), std::vector<Index>{1, 2, 4, 7, 8, 9}));
+  CHECK(std::ranges::equal(face.reversed(), std::vector<Index>{4, 8, 1, 7, 2, 9}));
+  CHECK(face.sorted() == face.reversed().sorted());
+  face = Face(1, 2, 3);
+  CHECK(face.size() == 3);
+  CHECK(copy.size() == 6);
+  face = copy;
+  CHECK(face == copy);
+  CHECK(Face(1, 2, 3) < Face(1, 2, 3, 4));
+  CHECK(Face(1, 2, 3, 4) < Face(1, 2, 4));
+  const Face moved = std::move(face);
+  CHECK(moved == copy);
 }
 
 namespace winslow::test {

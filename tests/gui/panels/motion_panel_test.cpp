@@ -307,7 +307,7 @@ TEST_CASE("Limits of the quality of volume elements are set in the panel, and en
   studio.frames();
   // Those of volume meshes, and no others.
   CHECK(studio.visible("motion/min_quality_smallest_solid_angle/on"));
-  CHECK_FALSE(studio.visible("motion/min_quality_skewness/on"));
+  CHECK_FALSE(studio.visible("motion/min_quality_smallest_angle/on"));
   const double rest = studio.worst(Metric::smallest_solid_angle);
   studio.fill("motion/rotate", "60");
   studio.click("motion/apply");

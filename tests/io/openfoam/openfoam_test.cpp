@@ -316,8 +316,7 @@ TEST_CASE("OpenFOAM: a hexahedron with a corner in a flat wall is a polyhedron a
 TEST_CASE("OpenFOAM: faces that bound no cell, and other bad input, with the place") {
   CHECK_CONTAINS(error_of("faces", "4(0 4 6 2)", "3(0 4 6)"),
                  "element 0, a polyhedron, has one face at the edge between corners");
-  CHECK_CONTAINS(error_of("faces", "4(1 3 7 5)", "5(1 3 7 5 4)"),
-                 "element 0, a polyhedron, has");
+  CHECK_CONTAINS(error_of("faces", "4(1 3 7 5)", "5(1 3 7 5 4)"), "element 0, a polyhedron, has");
   CHECK(error_of("faces", "4(1 3 7 5)", "4(1 3 8 5)") == "faces:4: found point 8, expected 0 to 7");
   CHECK(error_of("faces", "4(1 3 7 5)", "4(1 3 7)") ==
         "faces:4: found ')', expected a point of face 2 of 6");

@@ -1,15 +1,9 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <ostream>
-#include <span>
-#include <string>
-#include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include "core/mesh/element_type.h"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <compare>
-
 #include "core/inspect/space/plane_section.h"
 #include "core/inspect/space/surface_measures.h"
 #include "core/mesh/mesh.h"

@@ -228,9 +228,8 @@ Lines describe_element(Index e, const Session& session) {
   const Topology& topology = *session.topology();
   const auto shared = session.mesh().shared();
   const Mesh& mesh = *shared;
-  Lines lines{
-      {"Element " + std::to_string(e), std::string(topology.shape(e).name)},
-      {"Nodes", list_of(topology.element(e))}};
+  Lines lines{{"Element " + std::to_string(e), std::string(topology.shape(e).name)},
+              {"Nodes", list_of(topology.element(e))}};
   if (session.in_space()) add_surroundings(lines, e, mesh);
   const std::vector<Vec3> normals =
       reference_normals(session.document()->state(), mesh.coordinates);

@@ -352,6 +352,8 @@ TEST_CASE("A body of a volume mesh moves by typed numbers, and back by undo") {
 
 TEST_CASE("Go to finds nodes and elements of a volume mesh, and points in space") {
   SpaceStudio studio;
+  studio.resize(1400, 1500);  // the panel has room
+  studio.frames();
   studio.fill("go_to/field", "0.5, 0.1, 0.2");
   studio.click("go_to/go");
   REQUIRE(studio.state().focus.has_value());
