@@ -134,7 +134,8 @@ constexpr Face link_of(const Table<Corners, Edges, Faces>& table, Index corner) 
 template <std::size_t Corners, std::size_t Edges, std::size_t Faces>
 constexpr std::array<Face, Corners> links_of(const Table<Corners, Edges, Faces>& table) {
   std::array<Face, Corners> links;
-  for (std::size_t k = 0; k < Corners; ++k) links[k] = link_of(table, static_cast<Index>(k));
+  if constexpr (Corners > 0)
+    for (std::size_t k = 0; k < Corners; ++k) links[k] = link_of(table, static_cast<Index>(k));
   return links;
 }
 

@@ -138,7 +138,7 @@ inline constexpr std::array<ElementType, 6> fixed_element_types{
 ///     prism         triangles 0 1 2 and 3 4 5; 3 above 0, 4 above 1, 5 above 2
 ///     hexahedron    quadrilaterals 0 1 2 3 and 4 5 6 7; 4 above 0 and so on
 struct ElementShape {
-  ElementType type;
+  ElementType type = ElementType::polyhedron;
   std::string_view name;  ///< "tetrahedron", for messages
   int dimension;          ///< 2 or 3
   /// #corners: places in the reference element (VTK's parametric coordinates: unit simplices, the

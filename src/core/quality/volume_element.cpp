@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <limits>
 
+#include "core/mesh/index_sets.h"
 #include "core/mesh/polyhedron.h"
 
 namespace winslow {
