@@ -15,7 +15,7 @@ namespace {
 constexpr double flat_sine = 0.2;
 
 double sine_of(const std::array<Index, 4>& nodes, std::span<const Vec3> places) {
-  const Vec3 p = places[at(nodes[0])];
+  const Vec3& p = places[at(nodes[0])];
   const Vec3 a = places[at(nodes[1])] - p, b = places[at(nodes[2])] - p,
              c = places[at(nodes[3])] - p;
   const double lengths = a.norm() * b.norm() * c.norm();

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
+#include <set>
 
 #include "core/command/command.h"
 #include "core/error.h"
