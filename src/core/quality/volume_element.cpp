@@ -1,7 +1,6 @@
 #include "core/quality/volume_element.h"
 
 #include <Eigen/LU>
-#include <limits>
 
 #include "core/mesh/index_sets.h"
 #include "core/mesh/polyhedron.h"
