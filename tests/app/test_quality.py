@@ -7,8 +7,7 @@ import volume_meshes
 from support import INPUT, INVERTED, USAGE, ProgramTest
 
 METRICS = ("normalized_jacobian", "aspect_ratio", "condition_number", "smallest_angle", "largest_angle",
-           "skewness", "smallest_solid_angle", "largest_solid_angle", "non_orthogonality",
-           "cell_aspect_ratio", "determinant", "volume_ratio", "face_pyramid")
+           "skewness", "smallest_solid_angle", "largest_solid_angle")
 ENDS = ("min", "mean", "max", "worst_element", "worst_x", "worst_y", "worst_z")
 HEIGHTS = ("first_height_min", "first_height_median", "first_height_max")
 
@@ -82,7 +81,8 @@ class Quality(ProgramTest):
         volume_meshes.write_box(self.path("box.su2"))
         run = self.winslow("quality", "box.su2", "--report", "q.json")
         report = self.json("q.json")
-        measures, quality = report["openfoam"], report["quality"]
+        measures = report["openfoam"]
+        self.assertNotIn("non_orthogonality", report["quality"])
         self.assertAlmostEqual(measures["total_volume"], 1 - 1 / volume_meshes.N ** 3)
         self.assertAlmostEqual(measures["volume"]["min"], 1 / 6 / volume_meshes.N ** 3)
         self.assertAlmostEqual(measures["edge_length"]["max"], 3 ** .5 / volume_meshes.N)
@@ -92,10 +92,6 @@ class Quality(ProgramTest):
         self.assertEqual(measures["volume"]["count"], len(cells))
         self.assertLess(max(map(abs, measures["boundary_openness"])), 1e-14)
         self.assertEqual(measures["failures"], [])
-        for metric, end, name in (("non_orthogonality", "max", None), ("skewness", "max", None),
-                                  ("cell_aspect_ratio", "max", "aspect_ratio"),
-                                  ("determinant", "min", None), ("volume_ratio", "min", None)):
-            self.assertEqual(quality[metric][end], measures[name or metric][end])
         lines = run.stdout.splitlines()
         row = next(line for line in lines if line.startswith("Non-orthogonality, degrees"))
         self.assertEqual(row.split()[2:], [f"{measures['non_orthogonality'][end]:.6g}" for end in ("min", "avg", "max")]

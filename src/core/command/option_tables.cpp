@@ -9,7 +9,7 @@ OptionTable option_table(QualityFloor& floor) {
   OptionTable rows;
   for (std::size_t m = 0; m < floor.limits.size(); ++m) {
     const Metric metric = limited_metrics()[m];
-    const bool plane = m < reported_metrics(2).size();
+    const bool plane = m < rating_metrics(2).size();
     const FieldInfo& info = metric_info(metric, plane ? 2 : 3).field;
     // The command line has one flag for all of them: --min-quality METRIC=VALUE.
     rows.push_back({.key = info.name,

@@ -189,10 +189,6 @@ constexpr Table<0, 0, 0> polyhedron{
 template <const auto& table>
 constexpr auto links = links_of(table);
 
-}  // namespace
-
-namespace {
-
 std::vector<std::array<Index, 4>> make_at_corners(const ElementShape& shape) {
   std::vector<std::array<Index, 4>> list;
   const auto links = shape.links;
@@ -258,7 +254,7 @@ struct FixedShape {
 }  // namespace
 
 const ElementShape& shape_of(ElementType type) {
-  static const std::array<FixedShape, 7> shapes{
+  static const std::array<FixedShape, element_type_count> shapes{
       FixedShape::of<triangle>(ElementType::triangle),
       FixedShape::of<quadrilateral>(ElementType::quadrilateral),
       FixedShape::of<tetrahedron>(ElementType::tetrahedron),

@@ -43,6 +43,42 @@ constexpr double least_quality = foam_small * foam_small;
 
 }  // namespace
 
+FaceGeometry face_geometry(std::span<const Vec3> corners) {
+  const std::size_t n = corners.size();
+  if (n == 3) {
+    const Vec3 &a = corners[0], &b = corners[1], &c = corners[2];
+    return {1.0 / 3 * (a + b + c), 0.5 * (b - a).cross(c - a)};
+  }
+  Vec3 mean = corners[0];
+  for (std::size_t k = 1; k < n; ++k) mean += corners[k];
+  mean /= static_cast<double>(n);
+  Vec3 doubled_area(0, 0, 0), weighted(0, 0, 0);
+  double weight = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec3 &here = corners[k], &next = corners[k + 1 < n ? k + 1 : 0];
+    const Vec3 triangle = (next - here).cross(mean - here);
+    const double size = length(triangle);
+    doubled_area += triangle;
+    weight += size;
+    weighted += size * (here + next + mean);
+  }
+  if (weight < foam_root_vsmall) return {mean, Vec3(0, 0, 0)};
+  return {1.0 / 3 * weighted / weight, 0.5 * doubled_area};
+}
+
+CellGeometry cell_geometry(std::span<const FaceGeometry> faces) {
+  Vec3 mean(0, 0, 0), weighted(0, 0, 0);
+  for (const FaceGeometry& face : faces) mean += face.centre;
+  mean /= static_cast<double>(faces.size());
+  double tripled = 0;
+  for (const FaceGeometry& face : faces) {
+    const double pyramid = dot(face.area, face.centre - mean);
+    weighted += pyramid * (0.75 * face.centre + 0.25 * mean);
+    tripled += pyramid;
+  }
+  return {std::abs(tripled) > foam_vsmall ? Vec3(weighted / tripled) : mean, tripled * (1.0 / 3)};
+}
+
 CellFaces make_cell_faces(CompressedRows nodes, std::vector<Index> owner,
                           std::vector<Index> neighbour, Index cell_count) {
   CellFaces faces{std::move(nodes), std::move(owner), std::move(neighbour), {}};
@@ -138,51 +174,22 @@ Vec3 FiniteVolumes::node(Index face, std::size_t k) const {
 }
 
 void FiniteVolumes::measure_face(Index face) {
-  const std::size_t n = faces_.nodes[face].size();
-  Vec3 &centre = face_centres_[at(face)], &area = areas_[at(face)];
-  if (n == 3) {
-    const Vec3 a = node(face, 0), b = node(face, 1), c = node(face, 2);
-    centre = 1.0 / 3 * (a + b + c);
-    area = 0.5 * (b - a).cross(c - a);
-    return;
-  }
-  Vec3 mean = node(face, 0);
-  for (std::size_t k = 1; k < n; ++k) mean += node(face, k);
-  mean /= static_cast<double>(n);
-  Vec3 doubled_area(0, 0, 0), weighted(0, 0, 0);
-  double weight = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vec3 here = node(face, k), next = node(face, k + 1);
-    const Vec3 triangle = (next - here).cross(mean - here);
-    const double size = length(triangle);
-    doubled_area += triangle;
-    weight += size;
-    weighted += size * (here + next + mean);
-  }
-  if (weight < foam_root_vsmall) {
-    centre = mean;
-    area = Vec3(0, 0, 0);
-    return;
-  }
-  centre = 1.0 / 3 * weighted / weight;
-  area = 0.5 * doubled_area;
+  std::vector<Vec3> corners;
+  for (const Index node : faces_.nodes[face]) corners.emplace_back(x_[node]);
+  const FaceGeometry found = face_geometry(corners);
+  face_centres_[at(face)] = found.centre;
+  areas_[at(face)] = found.area;
 }
 
 void FiniteVolumes::measure_cell(Index cell) {
-  const auto faces = faces_.of_cell[cell];
-  Vec3 mean(0, 0, 0), weighted(0, 0, 0);
-  for (const Index f : faces) mean += face_centres_[at(f)];
-  mean /= static_cast<double>(faces.size());
-  double tripled = 0;
-  for (const Index f : faces) {
-    const Vec3& centre = face_centres_[at(f)];
-    const Vec3 way = faces_.owner[at(f)] == cell ? centre - mean : mean - centre;
-    const double pyramid = dot(areas_[at(f)], way);
-    weighted += pyramid * (0.75 * centre + 0.25 * mean);
-    tripled += pyramid;
+  std::vector<FaceGeometry> faces;
+  for (const Index f : faces_.of_cell[cell]) {
+    const bool owner = faces_.owner[at(f)] == cell;
+    faces.push_back({face_centres_[at(f)], owner ? areas_[at(f)] : Vec3(-areas_[at(f)])});
   }
-  cell_centres_[at(cell)] = std::abs(tripled) > foam_vsmall ? Vec3(weighted / tripled) : mean;
-  volumes_[at(cell)] = tripled * (1.0 / 3);
+  const CellGeometry found = cell_geometry(faces);
+  cell_centres_[at(cell)] = found.centre;
+  volumes_[at(cell)] = found.volume;
 }
 
 double FiniteVolumes::area(Index face) const { return length(areas_[at(face)]); }

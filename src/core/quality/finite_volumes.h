@@ -39,6 +39,20 @@ struct CellSurroundings {
 /// The measures of that cell are the same as in cell_faces(), bit for bit.
 CellSurroundings cell_surroundings(const Topology& topology, Index element);
 
+/// Centre and area vector of a face; the triangles about the mean of its corners make both.
+struct FaceGeometry {
+  Vec3 centre, area;
+};
+/// corners: counter-clockwise seen from the side to which the area vector points.
+FaceGeometry face_geometry(std::span<const Vec3> corners);
+
+struct CellGeometry {
+  Vec3 centre;
+  double volume;
+};
+/// faces: with area vectors that point out of the cell.
+CellGeometry cell_geometry(std::span<const FaceGeometry> faces);
+
 /// Directions in which the fields of a case vary; false for one across `empty` patches.
 using SolvedDirections = std::array<bool, 3>;
 

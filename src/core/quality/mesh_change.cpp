@@ -163,8 +163,8 @@ bool was_no_better(const Mesh& mesh, const Coordinates& given, Index e, Metric m
 
 const std::vector<Metric>& limited_metrics() {
   static const std::vector<Metric> all = [] {
-    std::vector<Metric> list = reported_metrics(2);
-    for (const Metric metric : reported_metrics(3))
+    std::vector<Metric> list = rating_metrics(2);
+    for (const Metric metric : rating_metrics(3))
       if (std::ranges::find(list, metric) == list.end()) list.push_back(metric);
     return list;
   }();
@@ -180,19 +180,19 @@ void QualityFloor::set(Metric metric, double limit) {
   const std::size_t m = index_of(limited, metric);
   if (m == limited.size())
     throw UsageError("no limit can be set to the " + std::string(metric_name(metric)) +
-                     ": it is not reported");
+                     ": it is not reported, and says nothing of the quality");
   limits[m] = limit;
 }
 
 void QualityFloor::require_dimension(int cell_dimension) const {
-  const auto& reported = reported_metrics(cell_dimension);
+  const auto& rating = rating_metrics(cell_dimension);
   for (std::size_t m = 0; m < limits.size(); ++m) {
     const Metric metric = limited_metrics()[m];
-    if (!limits[m] || std::ranges::find(reported, metric) != reported.end()) continue;
+    if (!limits[m] || std::ranges::find(rating, metric) != rating.end()) continue;
     throw UsageError("a limit of the quality (min-quality): found " +
                      std::string(metric_name(metric)) + ", which " +
                      (cell_dimension == 2 ? "plane" : "volume") +
-                     " elements do not have, expected one of: " + listed(reported, metric_name));
+                     " elements do not have, expected one of: " + listed(rating, metric_name));
   }
 }
 

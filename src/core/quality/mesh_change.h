@@ -57,8 +57,8 @@ Damage find_damage(const Mesh& before, const Mesh& after);
 ///     winslow::MoveCommand move;
 ///     move.how.floor.set(winslow::Metric::normalized_jacobian, 0.2);
 
-/// All metrics that can have a limit: those reported of plane meshes, in their order, then those
-/// that are only reported of volume meshes.
+/// All metrics that can have a limit: rating_metrics() of plane meshes, in their order, then those
+/// that only volume meshes have.
 const std::vector<Metric>& limited_metrics();
 
 /// Limits for the quality of all elements.
@@ -68,7 +68,7 @@ struct QualityFloor {
       std::vector<std::optional<double>>(limited_metrics().size());
 
   bool given() const;
-  /// Throws UsageError for a metric that is not reported.
+  /// Throws UsageError for a metric that is not among limited_metrics().
   void set(Metric metric, double limit);
   /// Throws UsageError for a limit of a metric that elements of that dimension do not have.
   void require_dimension(int cell_dimension) const;

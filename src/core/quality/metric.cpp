@@ -214,11 +214,14 @@ struct MetricTable {
       all.push_back(info.metric);
       if (info.reported) reported.push_back(info.metric);
     }
+    rating = reported;
+    for (const MetricInfo& info : rows)
+      if (info.rates() && !info.reported) rating.push_back(info.metric);
   }
 
   const char* elements;
   std::span<const MetricInfo> rows;
-  std::vector<Metric> all, reported;
+  std::vector<Metric> all, reported, rating;
 };
 
 const MetricTable& table(int cell_dimension) {
@@ -251,6 +254,10 @@ const std::vector<Metric>& all_metrics(int cell_dimension) { return table(cell_d
 
 const std::vector<Metric>& reported_metrics(int cell_dimension) {
   return table(cell_dimension).reported;
+}
+
+const std::vector<Metric>& rating_metrics(int cell_dimension) {
+  return table(cell_dimension).rating;
 }
 
 std::string_view metric_name(Metric metric) { return any_info(metric).field.name; }

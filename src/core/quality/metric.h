@@ -211,7 +211,7 @@ struct MetricInfo {
   constexpr MetricInfo(Metric m, const FieldInfo& f, OfVolume of, std::optional<double> b = {})
       : metric(m), field(f), of_volume(of), reported(b.has_value()), best(b.value_or(1)) {}
   constexpr MetricInfo(Metric m, const FieldInfo& f, OfCell of, double b)
-      : metric(m), field(f), of_cell(of), reported(true), best(b) {}
+      : metric(m), field(f), of_cell(of), reported(false), best(b) {}
 
   Metric metric;
   FieldInfo field;
@@ -221,8 +221,12 @@ struct MetricInfo {
   /// Statistics use this value of all corners of all elements; null: they use the finite values of
   /// the elements.
   OfCorner of_corner = nullptr;
-  bool reported;  ///< in reports, with statistics, histograms and the worst elements
-  double best;    ///< end of the histogram
+  /// In reports, with statistics, histograms and the worst elements. Those of cells are not: they
+  /// take as long as all others together, and OpenFoamMeasures reports them.
+  bool reported;
+  double best;  ///< end of the histogram
+  /// Whether it rates an element, so that it can have a limit.
+  bool rates() const { return reported || of_cell != nullptr; }
 
   double of(std::span<const Corner> corners) const { return of_element(corners); }
   double of(const VolumeElement& element) const { return (element.*of_volume)(); }
@@ -231,9 +235,11 @@ struct MetricInfo {
 /// cell_dimension: 2 of plane meshes, 3 of volume meshes. Throws UsageError for a metric that
 /// elements of that dimension do not have.
 const MetricInfo& metric_info(Metric metric, int cell_dimension = 2);
-/// All metrics of elements of that dimension, and those of them that are reported.
+/// All metrics of elements of that dimension, those of them that are reported, and those that rate
+/// elements (MetricInfo::rates()), the reported ones first.
 const std::vector<Metric>& all_metrics(int cell_dimension = 2);
 const std::vector<Metric>& reported_metrics(int cell_dimension = 2);
+const std::vector<Metric>& rating_metrics(int cell_dimension = 2);
 std::string_view metric_name(Metric metric);   ///< "normalized_jacobian", as in files and options
 std::string_view metric_label(Metric metric);  ///< "Normalized Jacobian", as on screen
 /// The metric with a metric_name(). Throws UsageError listing the names of metrics of that

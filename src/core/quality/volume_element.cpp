@@ -4,6 +4,8 @@
 
 #include "core/mesh/index_sets.h"
 #include "core/mesh/polyhedron.h"
+#include "core/mesh/surface_faces.h"
+#include "core/quality/finite_volumes.h"
 
 namespace winslow {
 
@@ -151,10 +153,7 @@ double VolumeElement::solid_angle_of_faces(std::size_t corner) const {
     const std::size_t m = face.size(), k = index_of(face, static_cast<Index>(corner));
     if (k == m) continue;
     const std::size_t place = index_of(link, face[(k + m - 1) % m]);
-    Vec3& area = areas[place] = Vec3::Zero();
-    const Vec3 first = x_[corners_[at(face[0])]];
-    for (std::size_t i = 1; i + 1 < m; ++i)
-      area += (x_[corners_[at(face[i])]] - first).cross(x_[corners_[at(face[i + 1])]] - first);
+    areas[place] = area_vector(x_, by_nodes(face, corners_));
   }
   double sum = (2 - static_cast<double>(n)) * pi;
   for (std::size_t k = 0; k < n; ++k) {
@@ -313,54 +312,20 @@ bool hexahedron_positive(const SpacePoints& x, std::span<const Index> corners) {
   return positive_over(bernstein(values), divisions);
 }
 
-/// Centre and area vector of a face of any number of corners, which need not be plane: of the
-/// triangles about the mean of its corners (OpenFOAM, primitiveMesh::makeFaceCentresAndAreas).
-struct FaceCentre {
-  Vec3 centre, area;
-
-  FaceCentre(const SpacePoints& x, const Face& face, std::span<const Index> corners) {
-    const auto place = [&](std::size_t k) { return x[corners[at(face[k % face.size()])]]; };
-    const std::size_t n = face.size();
-    Vec3 middle = Vec3::Zero();
-    for (std::size_t k = 0; k < n; ++k) middle += place(k);
-    middle /= static_cast<double>(n);
-    area = Vec3::Zero();
-    for (std::size_t k = 0; k < n; ++k)
-      area += 0.5 * (place(k) - middle).cross(place(k + 1) - middle);
-    const Vec3 normal = area.normalized();
-    Vec3 sum = Vec3::Zero();
-    double weights = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      const Vec3 a = place(k), b = place(k + 1);
-      const double weight = (a - middle).cross(b - middle).dot(normal);
-      sum += weight * (a + b + middle) / 3;
-      weights += weight;
-    }
-    centre = weights > 0 ? Vec3(sum / weights) : middle;
-  }
-};
-
 /// Whether the centroid of a polyhedron lies behind all its faces.
 bool pyramids_positive(const SpacePoints& x, const ElementShape& shape,
                        std::span<const Index> corners) {
-  std::vector<FaceCentre> faces;
-  Vec3 estimate = Vec3::Zero();
+  std::vector<FaceGeometry> faces;
+  std::vector<Vec3> places;
   for (const Face& face : shape.faces) {
-    faces.emplace_back(x, face, corners);
-    estimate += faces.back().centre;
+    places.clear();
+    for (const Index k : face) places.emplace_back(x[corners[at(k)]]);
+    faces.push_back(face_geometry(places));
   }
-  estimate /= static_cast<double>(faces.size());
-  Vec3 centre = Vec3::Zero();
-  double volume3 = 0;
-  for (const FaceCentre& face : faces) {
-    const double pyramid3 = face.area.dot(face.centre - estimate);
-    centre += pyramid3 * (0.75 * face.centre + 0.25 * estimate);
-    volume3 += pyramid3;
-  }
-  if (!(volume3 > 0)) return false;
-  centre /= volume3;
-  return std::ranges::all_of(
-      faces, [&](const FaceCentre& face) { return face.area.dot(face.centre - centre) > 0; });
+  const CellGeometry cell = cell_geometry(faces);
+  return cell.volume > 0 && std::ranges::all_of(faces, [&](const FaceGeometry& face) {
+           return face.area.dot(face.centre - cell.centre) > 0;
+         });
 }
 
 }  // namespace

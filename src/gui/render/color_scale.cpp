@@ -260,7 +260,7 @@ std::string color_map_for(const ElementField& field, const std::string& choice) 
   if (choice != "automatic") return choice;
   if (field_info(field).one_is_best) return "puor";
   const bool quality = field.metric()
-                           ? metric_info(*field.metric(), field.cell_dimension()).reported
+                           ? metric_info(*field.metric(), field.cell_dimension()).rates()
                            : field != LayerField::layer && field != WallField::first_height;
   return quality ? "neutral" : "viridis";
 }

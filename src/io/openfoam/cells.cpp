@@ -51,14 +51,15 @@ bool is_sound_by_faces(const MeshData& data, Index e) {
 
 }  // namespace
 
-void give_faces_to_flat_cells(MeshData& data) {
+Index give_faces_to_flat_cells(MeshData& data) {
   std::vector<unsigned char> by_faces(at(data.element_count()), 0);
   parallel_for(0, data.element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e)
       if (data.types[at(e)] != ElementType::polyhedron)
         by_faces[at(e)] = is_sound_by_faces(data, e) ? 1 : 0;
   });
-  if (std::ranges::count(by_faces, 1) == 0) return;
+  const auto found = static_cast<Index>(std::ranges::count(by_faces, 1));
+  if (found == 0) return 0;
   MeshData out = std::move(data);
   std::vector<ElementType> types = std::exchange(out.types, {});
   const std::vector<Index> nodes = std::exchange(out.element_nodes, {});
@@ -82,6 +83,7 @@ void give_faces_to_flat_cells(MeshData& data) {
     }
   }
   data = std::move(out);
+  return found;
 }
 
 namespace {

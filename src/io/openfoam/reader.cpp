@@ -41,7 +41,11 @@ class Reader {
     add_cells(source_, mesh(), out_);
     set_space_nodes(source_, mesh().xyz, out_);
     // A mesh of elements alone keeps them: it is tangled.
-    if (out_.data.has_polyhedra()) give_faces_to_flat_cells(out_.data);
+    const Index flat = out_.data.has_polyhedra() ? give_faces_to_flat_cells(out_.data) : 0;
+    if (flat > 0)
+      out_.warnings.push_back(std::to_string(flat) + (flat == 1 ? " cell is" : " cells are") +
+                              " inverted by the corners and sound by the faces, as checkMesh sees "
+                              "them: taken as polyhedra, without the corners that are flat");
     for (const Patch& patch : mesh().patches) {
       Marker& marker = add_marker(patch.name);
       for (std::int64_t f = patch.first; f < patch.first + patch.count; ++f) {

@@ -335,10 +335,10 @@ bool quality_limits_form(const std::string& prefix, QualityFloor& floor, int cel
   }
   bool changed = false;
   const OptionTable table = option_table(floor);
-  const auto& reported = reported_metrics(cell_dimension);
+  const auto& rating = rating_metrics(cell_dimension);
   for (std::size_t m = 0; m < limited_metrics().size(); ++m) {
     const Metric metric = limited_metrics()[m];
-    if (std::ranges::find(reported, metric) == reported.end()) continue;
+    if (std::ranges::find(rating, metric) == rating.end()) continue;
     changed |= limit_row(prefix + "/min_quality_" + std::string(table[m].key), table[m],
                          metric_info(metric, cell_dimension).field, floor.limits[m]);
   }

@@ -15,8 +15,8 @@ bool option_form(const std::string& prefix, const OptionTable& table);
 /// Ids begin with `prefix`: "edit/rotate". kind: of the mesh. True if something changed.
 bool command_form(const std::string& prefix, Command& command, MeshKind kind);
 
-/// Quality limits of a motion, in a fold: a switch for each reported metric and, where it is on,
-/// the value. Ids: PREFIX/limits (fold), PREFIX/min_quality_METRIC/on (switch),
+/// Quality limits of a motion, in a fold: a switch for each metric that can have one and, where it
+/// is on, the value. Ids: PREFIX/limits (fold), PREFIX/min_quality_METRIC/on (switch),
 /// PREFIX/min_quality_METRIC (value). follows_path: false if limits cannot be enforced with the
 /// chosen method; the form then says which method to choose. cell_dimension: of the mesh. True if a
 /// limit changed.
