@@ -146,7 +146,7 @@ class MarkerMaker {
  private:
   /// The type of a condition, or that of its family where the condition leaves it to this.
   std::string type_of(const NodeView& condition) const {
-    const std::string type = condition.text();
+    std::string type = condition.text();
     if (type != "FamilySpecified") return type;
     // A base may have thousands of zones beside the family: no views of all are made.
     const NodePtr family = child_named(base_.node().content(), family_of(condition));
