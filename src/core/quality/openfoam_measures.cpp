@@ -258,12 +258,16 @@ void add_count(std::vector<std::string>& list, Index count, const std::string& w
 
 }  // namespace
 
-const CheckedMeasure& OpenFoamMeasures::of(std::string_view name) const {
+const CheckedMeasure& OpenFoamMeasures::of(std::string_view name) const& {
   const auto found = std::ranges::find(rows, name, &CheckedMeasure::name);
   if (found == rows.end())
     throw UsageError("checkMesh has no measure '" + std::string(name) + "', expected one of: " +
                      listed(rows, [](const CheckedMeasure& row) { return row.name; }));
   return *found;
+}
+
+CheckedMeasure OpenFoamMeasures::of(std::string_view name) && {
+  return std::as_const(*this).of(name);
 }
 
 std::vector<std::string> OpenFoamMeasures::failures() const {

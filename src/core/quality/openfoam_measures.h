@@ -42,7 +42,8 @@ struct OpenFoamMeasures {
   Index concave_cells = 0;
 
   /// Throws UsageError for an unknown name.
-  const CheckedMeasure& of(std::string_view name) const;
+  const CheckedMeasure& of(std::string_view name) const&;
+  CheckedMeasure of(std::string_view name) &&;  ///< a copy, since the measures are a temporary
   /// What checkMesh fails for, in words; empty: "Mesh OK.", as far as the geometry goes.
   std::vector<std::string> failures() const;
   /// What it fails for besides with -allGeometry.
