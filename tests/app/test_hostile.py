@@ -144,6 +144,18 @@ class Signals(ProgramTest):
         self.assertLess(time.monotonic() - start, 10)
 
     @unittest.skipUnless(HAS_GUI, "built without the studio")
+    def test_an_interrupted_picture_is_not_written(self):
+        sphere = ASSETS / "coarse" / "sphere.su2.gz"
+        run = self.start("render", sphere, "-o", "a.png", "--size", "8000", "8000")
+        time.sleep(0.8)
+        self.assertIsNone(run.poll(), "it ended before it could be interrupted")
+        run.send_signal(signal.SIGINT)
+        _, errors = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, INTERRUPTED)
+        self.assertIn("interrupted", errors)
+        self.assertEqual(self.files(), [])
+
+    @unittest.skipUnless(HAS_GUI, "built without the studio")
     def test_an_interrupted_film_leaves_no_frames(self):
         self.ring("a.su2")
         cube = ASSETS / "coarse" / "sphere.su2.gz"

@@ -334,6 +334,8 @@ ExitCode run_edit_job(const EditJob& given) {
     for (const std::string& warning : {damage_warning(zone), fold_warning(zone)})
       if (!warning.empty()) warn(job.files, {warning}, run);
   }
+  if (const std::string warning = face_warning(run); !warning.empty())
+    warn(job.files, {warning}, run);
   save(job, zones, run);
   run.seconds.save = lap.lap();
   run.seconds.total = total.seconds();

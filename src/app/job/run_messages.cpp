@@ -102,6 +102,8 @@ void print_commands(const RunReport& run) {
       std::cout << ", " << c.result.prescribed_inside << " nodes inside prescribed";
     if (c.result.kept_outside > 0)
       std::cout << ", " << c.result.kept_outside << " interior nodes kept outside";
+    if (const auto& angles = c.result.face_angles; angles && angles->mended > 0)
+      std::cout << ", " << angles->mended << " faces brought back to an angle of 70 degrees";
     if (const auto& layers = c.result.layers_held)
       std::cout << ", " << layers->heights << " heights of layers held within "
                 << 100 * layers->error << " %";
@@ -253,6 +255,22 @@ std::string damage_warning(const ZoneRun& zone) {
   std::string hint = hint_to_slide(zone, damage) + hint_to_keep(zone, damage);
   if (hint.ends_with(", ")) hint.resize(hint.size() - 2);
   return (name.empty() ? "" : name + ": ") + damage.text + (hint.empty() ? "" : "; " + hint);
+}
+
+std::string face_warning(const RunReport& run) {
+  FaceAngles all;
+  for (const CommandRecord& command : run.commands) {
+    if (!command.result.face_angles) continue;
+    all.beyond += command.result.face_angles->beyond;
+    all.worst = std::max(all.worst, command.result.face_angles->worst);
+  }
+  if (all.beyond == 0) return {};
+  char angle[32];
+  std::snprintf(angle, sizeof angle, "%.1f", all.worst);
+  return std::to_string(all.beyond) + (all.beyond == 1 ? " face leans" : " faces lean") +
+         " by more than 70 degrees, which checkMesh counts as severely non-orthogonal, and did not "
+         "before; the largest angle is " +
+         angle + " degrees (--min-quality non_orthogonality=70 ends the motion before)";
 }
 
 std::string fold_warning(const ZoneRun& zone) {

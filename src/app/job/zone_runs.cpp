@@ -17,7 +17,8 @@ namespace {
     for (const Marker& marker : topology->markers()) {
       known.push_back(marker.name);
       list += (list.empty() ? "" : ", ") + marker.name + " (" +
-              std::to_string(marker.faces.size()) + " edges)";
+              std::to_string(marker.faces.size()) + ' ' +
+              std::string(words_of(topology->kind()).face) + "s)";
     }
   }
   throw UsageError("unknown marker \"" + name + '"' + suggest(name, known) + " Markers of " + file +

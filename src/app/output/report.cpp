@@ -98,6 +98,11 @@ json describe_contact(const std::optional<Contact>& contact, int dimension) {
   return report;
 }
 
+json describe_face_angles(const std::optional<FaceAngles>& angles) {
+  if (!angles) return nullptr;
+  return {{"beyond", angles->beyond}, {"mended", angles->mended}, {"worst", angles->worst}};
+}
+
 json describe_layers_held(const std::optional<LayersHeld>& layers) {
   if (!layers) return nullptr;
   return {{"heights", layers->heights}, {"largest_error", layers->error}};
@@ -188,6 +193,7 @@ json describe_result(const CommandRecord& record) {
                  {"kept_outside", r.kept_outside},
                  {"prescribed_inside", r.prescribed_inside},
                  {"layers_held", describe_layers_held(r.layers_held)},
+                 {"face_angles", describe_face_angles(r.face_angles)},
                  {"stuck_nodes", r.stuck_nodes},
                  {"nothing_moves", r.nothing_moves},
                  {"without_shape", r.without_shape},

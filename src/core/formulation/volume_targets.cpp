@@ -44,7 +44,8 @@ class VolumeTargets : TargetBuilder {
   /// The origin of a cell.
   struct Origin {
     Index element;
-    int corner;     ///< index into corner_tetrahedra(), continued by edge_tetrahedra()
+    /// index into corner_tetrahedra, continued by edge_tetrahedra and face_tetrahedra
+    int corner;
     double weight;  ///< sum over all its terms
   };
 
@@ -87,9 +88,14 @@ class VolumeTargets : TargetBuilder {
       origins_.push_back({e, static_cast<int>(k), 0});
     }
     if (std::ranges::binary_search(guarded_, e)) list_edges(e);
-    const auto live = static_cast<double>(targets_.cells.size() - first);
+    const std::size_t faces = targets_.cells.size();
+    if (!topology_.shape(e).face_tetrahedra.empty()) list_faces(e);
+    // Targets that make corners regular have none for faces: these only keep the cell valid.
+    const double share = keeps() ? 1 : 0.1;
+    const auto live = static_cast<double>(faces - first) +
+                      share * static_cast<double>(targets_.cells.size() - faces);
     for (std::size_t cell = first; cell < origins_.size(); ++cell)
-      origins_[cell].weight = weight_of(e) / live;
+      origins_[cell].weight = (cell < faces ? 1 : share) * weight_of(e) / live;
   }
 
   /// Ends the cell that was listed last, which has so many terms.
@@ -99,15 +105,23 @@ class VolumeTargets : TargetBuilder {
   }
 
   void list_edges(Index e) {
-    const auto corners = topology_.shape(e).corner_tetrahedra.size();
-    const auto edges = topology_.shape(e).edge_tetrahedra;
-    for (std::size_t k = 0; k < edges.size(); ++k) {
-      const auto nodes = by_nodes(edges[k], topology_.element(e));
+    const ElementShape& shape = topology_.shape(e);
+    list_further(e, shape.edge_tetrahedra, shape.corner_tetrahedra.size());
+  }
+  void list_faces(Index e) {
+    const ElementShape& shape = topology_.shape(e);
+    list_further(e, shape.face_tetrahedra,
+                 shape.corner_tetrahedra.size() + shape.edge_tetrahedra.size());
+  }
+  /// before: number of the tetrahedra of an element that come before these (Origin::corner).
+  void list_further(Index e, std::span<const std::array<Index, 4>> tetrahedra, std::size_t before) {
+    for (std::size_t k = 0; k < tetrahedra.size(); ++k) {
+      const auto nodes = by_nodes(tetrahedra[k], topology_.element(e));
       if (!movable(nodes)) continue;
       if (blend_.rest > 0 && !own_metric(e, nodes)) continue;
       targets_.cells.push_back(nodes);
       end_cell(keeps() ? 2 : 1);
-      origins_.push_back({e, static_cast<int>(corners + k), 0});
+      origins_.push_back({e, static_cast<int>(before + k), 0});
     }
   }
 

@@ -160,6 +160,8 @@ struct ElementShape {
   std::span<const Index> mirrored;
   /// Of a volume element: see corner_tetrahedra() and edge_tetrahedra().
   std::span<const std::array<Index, 4>> corner_tetrahedra = {}, edge_tetrahedra = {};
+  /// Tetrahedra over the faces of a polyhedron at its flat corners (PolyhedronShape).
+  std::span<const std::array<Index, 4>> face_tetrahedra = {};
   /// For each corner tetrahedron of a polyhedron, the numbers of corners of the three faces between
   /// its edges (PolyhedronShape, regular_corner()).
   std::span<const std::array<std::uint8_t, 3>> face_sizes = {};

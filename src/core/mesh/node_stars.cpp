@@ -410,7 +410,15 @@ CompressedRows volume_neighbours(const OrderedStars& stars) { return NeighbourRo
 
 void check_volume_manifold(const Topology& topology, const OrderedStars& stars,
                            const FacePairs& pairs, const std::vector<bool>& turned) {
-  check_boundary_edges(topology);
+  // The castellated meshes of snappyHexMesh have cells that meet in an edge of a wall only.
+  const bool walls_may_meet = topology.has_polyhedra();
+  std::vector<bool> at_wall(at(topology.node_count()), false);
+  if (walls_may_meet)
+    for_boundary_faces(topology, [&](Index, const Topology::SharedFace& face) {
+      for (const Index node : face.nodes) at_wall[at(node)] = true;
+    });
+  else
+    check_boundary_edges(topology);
   const CompressedRows beside = elements_beside(stars, pairs, turned);
   const Index nodes = topology.node_count();
   const Index block = few_blocks(nodes);
@@ -421,7 +429,7 @@ void check_volume_manifold(const Topology& topology, const OrderedStars& stars,
     for (Index k = begin; k < end; ++k) {
       const Index node = stars.order.nodes[at(k)];
       const auto edges = static_cast<Index>(topology.neighbours(node).size());
-      if (node < lowest && !check.holds(k, edges)) lowest = node;
+      if (node < lowest && !at_wall[at(node)] && !check.holds(k, edges)) lowest = node;
     }
   };
   parallel_for(0, nodes, check_block, block);
@@ -434,6 +442,7 @@ void check_volume_manifold(const Topology& topology, const OrderedStars& stars,
 }
 
 void check_matching_faces(const Topology& topology) {
+  if (topology.has_polyhedra()) return;
   for_boundary_faces(topology, [&](Index, const Topology::SharedFace& face) {
     if (face.nodes.size() != 4) return;
     for (std::size_t k = 0; k < 4; ++k) {

@@ -65,13 +65,15 @@ void check_surface_manifold(const MeshData& data, const FacePairs& pairs);
 
 /// Throws MeshError naming a node of a volume mesh whose star is neither a ball nor, on the
 /// boundary, a half ball: parts of the mesh or of its boundary meet in this node or in an edge
-/// only. topology: with its faces and neighbours. pairs: its faces, with the elements as the file
-/// has them. turned: the elements of the topology that were turned since (#elements).
+/// only. In a mesh with polyhedra nodes on the boundary may do so. topology: with its faces and
+/// neighbours. pairs: its faces, with the elements as the file has them. turned: the elements of
+/// the topology that were turned since (#elements).
 void check_volume_manifold(const Topology& topology, const OrderedStars& stars,
                            const FacePairs& pairs, const std::vector<bool>& turned);
 
 /// Throws MeshError for a boundary triangle of one element that covers half of a boundary
-/// quadrilateral of another.
+/// quadrilateral of another. In a mesh with polyhedra the faces come from the file, so that
+/// neighbours share them.
 void check_matching_faces(const Topology& topology);
 
 }  // namespace winslow

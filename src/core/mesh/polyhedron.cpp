@@ -22,6 +22,17 @@ double sine_of(const std::array<Index, 4>& nodes, std::span<const Vec3> places) 
   return lengths > 0 ? a.dot(b.cross(c)) / lengths : 0;
 }
 
+/// Whether a corner is much flatter than half of them, or inverted (has_flat_corner).
+bool flat_among(std::span<const std::array<Index, 4>> corners, std::span<const Vec3> places) {
+  constexpr double flat = 0.1, of_median = 0.25;
+  std::vector<double> sines;
+  for (const std::array<Index, 4>& corner : corners) sines.push_back(sine_of(corner, places));
+  if (sines.empty()) return false;
+  std::ranges::sort(sines);
+  const double least = sines.front();
+  return !(least > 0) || (least < flat && least < of_median * sines[sines.size() / 2]);
+}
+
 /// The type with so many triangles and quadrilaterals; each has one closed arrangement of them.
 ElementType type_like(std::span<const Face> faces, std::size_t corners) {
   const auto triangles = std::ranges::count(faces, 3U, &Face::size);
@@ -55,13 +66,15 @@ PolyhedronShape::PolyhedronShape(std::span<const Face> faces, std::span<const Ve
             .mirrored = {},
             .corner_tetrahedra = at_corners_,
             .edge_tetrahedra = at_edges_,
+            .face_tetrahedra = at_faces_,
             .face_sizes = face_sizes_,
             .like = like_,
             .real_corners = count_real(places)};
 }
 
 std::size_t PolyhedronShape::bytes() const {
-  return sizeof(*this) + bytes_of(faces_, links_, edges_, at_corners_, at_edges_, face_sizes_);
+  return sizeof(*this) +
+         bytes_of(faces_, links_, edges_, at_corners_, at_edges_, at_faces_, face_sizes_);
 }
 
 /// Lists each edge once, in the direction of the first face that has it.
@@ -111,12 +124,12 @@ void PolyhedronShape::find_links(std::size_t corners) {
 
 void PolyhedronShape::find_tetrahedra(std::span<const Vec3> places) {
   like_ = type_like(faces_, places.size());
+  std::vector<std::array<Index, 4>> corners;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (const Face& link = links_[k]; link.size() == 3)
+      corners.push_back({static_cast<Index>(k), link[0], link[1], link[2]});
   // A hexahedron with a corner in a flat part of a wall is none.
-  for (std::size_t k = 0; k < places.size() && like_ != ElementType::polyhedron; ++k)
-    if (const Face& link = links_[k];
-        link.size() == 3 &&
-        !(sine_of({static_cast<Index>(k), link[0], link[1], link[2]}, places) > 0))
-      like_ = ElementType::polyhedron;
+  if (flat_among(corners, places)) like_ = ElementType::polyhedron;
   const bool known = like_ != ElementType::polyhedron;
   flat_.assign(places.size(), false);
   const auto is_flat = [&](const Face& link, std::size_t corner) {
@@ -145,6 +158,7 @@ void PolyhedronShape::find_tetrahedra(std::span<const Vec3> places) {
     }
   }
   add_edge_tetrahedra(places);
+  add_face_tetrahedra(places);
 }
 
 /// The tetrahedra at a corner with more than three edges.
@@ -182,6 +196,26 @@ void PolyhedronShape::add_edge_tetrahedra(std::span<const Vec3> places) {
   }
 }
 
+void PolyhedronShape::add_face_tetrahedra(std::span<const Vec3> places) {
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (!flat_[k]) continue;
+    const Face& link = links_[k];
+    for (std::size_t i = 0; i < link.size(); ++i) {
+      std::array<Index, 4> best{static_cast<Index>(k), link[i], link[(i + 1) % link.size()], -1};
+      double largest = flat_sine;
+      for (std::size_t p = 0; p < places.size(); ++p) {
+        if (flat_[p]) continue;
+        const std::array<Index, 4> nodes{best[0], best[1], best[2], static_cast<Index>(p)};
+        const double sine = sine_of(nodes, places);
+        if (sine <= largest) continue;
+        largest = sine;
+        best[3] = nodes[3];
+      }
+      if (best[3] >= 0) at_faces_.push_back(best);
+    }
+  }
+}
+
 /// Number of corners that are not flat of the face with the edges to these at a corner; 0 if there
 /// is no such face.
 std::uint8_t PolyhedronShape::sides_of_face(Index corner, Index next, Index previous) const {
@@ -209,6 +243,10 @@ Index PolyhedronShape::count_real(std::span<const Vec3> places) const {
     if (!flat_[k] && !inside_edge) ++count;
   }
   return std::max<Index>(count, 4);
+}
+
+bool has_flat_corner(const ElementShape& type, std::span<const Vec3> places) {
+  return flat_among(type.corner_tetrahedra, places);
 }
 
 double regular_volume(const ElementShape& shape) {

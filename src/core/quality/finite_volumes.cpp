@@ -79,6 +79,66 @@ CellGeometry cell_geometry(std::span<const FaceGeometry> faces) {
   return {std::abs(tripled) > foam_vsmall ? Vec3(weighted / tripled) : mean, tripled * (1.0 / 3)};
 }
 
+void add_face_slopes(std::span<const Vec3> corners, const FaceGeometry& slopes,
+                     std::span<Vec3> out) {
+  const std::size_t n = corners.size();
+  const FaceGeometry face = face_geometry(corners);
+  Vec3 mean(0, 0, 0);
+  for (const Vec3& corner : corners) mean += corner;
+  mean /= static_cast<double>(n);
+  double weight = 0;
+  const auto triangle = [&](std::size_t k) -> Vec3 {
+    return (corners[(k + 1) % n] - corners[k]).cross(mean - corners[k]);
+  };
+  for (std::size_t k = 0; k < n; ++k) weight += length(triangle(k));
+  Vec3 of_mean(0, 0, 0);
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec3 &here = corners[k], &next = corners[(k + 1) % n];
+    const Vec3 doubled = triangle(k);
+    const double size = length(doubled);
+    Vec3 of_triangle = 0.5 * slopes.area;
+    if (weight >= foam_root_vsmall && size > 0) {
+      const Vec3 middle = (here + next + mean) / 3;
+      of_triangle += dot(slopes.centre, middle - face.centre) / (weight * size) * doubled;
+      const Vec3 of_middle = size / (3 * weight) * slopes.centre;
+      out[k] += of_middle;
+      out[(k + 1) % n] += of_middle;
+      of_mean += of_middle;
+    }
+    // The triangle is (next - here) x (mean - here).
+    const Vec3 of_next = (mean - here).cross(of_triangle);
+    const Vec3 of_last = of_triangle.cross(next - here);
+    out[(k + 1) % n] += of_next;
+    out[k] -= of_next + of_last;
+    of_mean += of_last;
+  }
+  for (std::size_t k = 0; k < n; ++k) out[k] += of_mean / static_cast<double>(n);
+}
+
+void add_centre_slopes(std::span<const FaceGeometry> faces, const Vec3& slope,
+                       std::span<FaceGeometry> out) {
+  const auto n = static_cast<double>(faces.size());
+  const CellGeometry cell = cell_geometry(faces);
+  Vec3 mean(0, 0, 0);
+  for (const FaceGeometry& face : faces) mean += face.centre;
+  mean /= n;
+  const double tripled = 3 * cell.volume;
+  Vec3 of_mean(0, 0, 0);
+  if (!(std::abs(tripled) > foam_vsmall)) {
+    of_mean = slope;
+  } else {
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+      const double pyramid = dot(faces[k].area, faces[k].centre - mean);
+      const Vec3 middle = 0.75 * faces[k].centre + 0.25 * mean;
+      const double of_pyramid = dot(slope, middle - cell.centre) / tripled;
+      out[k].centre += 0.75 * pyramid / tripled * slope + of_pyramid * faces[k].area;
+      out[k].area += of_pyramid * (faces[k].centre - mean);
+      of_mean += 0.25 * pyramid / tripled * slope - of_pyramid * faces[k].area;
+    }
+  }
+  for (FaceGeometry& face : out.first(faces.size())) face.centre += of_mean / n;
+}
+
 CellFaces make_cell_faces(CompressedRows nodes, std::vector<Index> owner,
                           std::vector<Index> neighbour, Index cell_count) {
   CellFaces faces{std::move(nodes), std::move(owner), std::move(neighbour), {}};

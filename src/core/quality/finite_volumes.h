@@ -53,6 +53,15 @@ struct CellGeometry {
 /// faces: with area vectors that point out of the cell.
 CellGeometry cell_geometry(std::span<const FaceGeometry> faces);
 
+/// Derivatives of a function of a face's geometry turned into derivatives by its corners: adds them
+/// to `out` (#corners). slopes: the derivatives by the centre and by the area vector.
+void add_face_slopes(std::span<const Vec3> corners, const FaceGeometry& slopes,
+                     std::span<Vec3> out);
+/// The same for a function of a cell's centre: adds to `out` (#faces) its derivatives by the
+/// geometry of the faces. slope: the derivative by the centre.
+void add_centre_slopes(std::span<const FaceGeometry> faces, const Vec3& slope,
+                       std::span<FaceGeometry> out);
+
 /// Directions in which the fields of a case vary; false for one across `empty` patches.
 using SolvedDirections = std::array<bool, 3>;
 

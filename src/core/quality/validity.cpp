@@ -152,9 +152,12 @@ double largest_valid_step(const Topology& topology, const Coordinates& from, con
   if (topology.kind() == MeshKind::volume) {
     const SpacePoints before(from), after(to);
     return smallest_step(topology.element_count(), most, threads, [&](Index e, double smallest) {
-      for (const auto& corner : topology.shape(e).corner_tetrahedra) {
-        const auto tetrahedron = by_nodes(corner, topology.element(e));
-        smallest = std::min(smallest, tetrahedron_step(tetrahedron, before, after, smallest));
+      const ElementShape& shape = topology.shape(e);
+      for (const auto* list : {&shape.corner_tetrahedra, &shape.face_tetrahedra}) {
+        for (const auto& nodes : *list) {
+          const auto tetrahedron = by_nodes(nodes, topology.element(e));
+          smallest = std::min(smallest, tetrahedron_step(tetrahedron, before, after, smallest));
+        }
       }
       return smallest;
     });

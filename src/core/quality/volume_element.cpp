@@ -54,12 +54,33 @@ const std::vector<RegularCorner>& regular(ElementType type) {
 }
 
 /// The corner of a polyhedron if it were regular; that of a cube where this is not known.
-RegularCorner regular_of(const std::array<std::uint8_t, 3>& face_sizes) {
+RegularCorner make_regular_of(const std::array<std::uint8_t, 3>& face_sizes) {
   const auto edges = face_sizes[0] > 0
                          ? regular_corner(face_sizes)
                          : std::array<Vec3, 3>{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
   const VolumeCorner corner(Vec3::Zero(), edges[0], edges[1], edges[2]);
   return {corner.edges.inverse(), scaled_determinant(corner), radius_ratio_of(corner)};
+}
+
+/// The same from a table for faces of usual sizes: cells of dual meshes have dozens of corners.
+RegularCorner regular_of(const std::array<std::uint8_t, 3>& face_sizes) {
+  constexpr std::size_t sizes = 12;  // 0 to 11
+  static const auto table = [] {
+    std::vector<RegularCorner> list;
+    for (std::size_t k = 0; k < sizes * sizes * sizes; ++k) {
+      const std::array of{k / (sizes * sizes), k / sizes % sizes, k % sizes};
+      const bool possible =
+          of[0] == 0 || std::ranges::all_of(of, [](std::size_t n) { return n >= 3; });
+      list.push_back(possible ? make_regular_of({static_cast<std::uint8_t>(of[0]),
+                                                 static_cast<std::uint8_t>(of[1]),
+                                                 static_cast<std::uint8_t>(of[2])})
+                              : RegularCorner{});
+    }
+    return list;
+  }();
+  const std::size_t a = face_sizes[0], b = face_sizes[1], c = face_sizes[2];
+  return std::max({a, b, c}) < sizes ? table[(a * sizes + b) * sizes + c]
+                                     : make_regular_of(face_sizes);
 }
 
 /// Calls visit(corner, corner of the regular element) for the corners of an element, until one of
@@ -183,11 +204,12 @@ namespace {
 
 double determinant(const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot(b.cross(c)); }
 
+/// Whether the tetrahedra at the corners are positive, and those over the faces of polyhedra.
 bool corners_positive(const SpacePoints& x, const ElementShape& shape,
                       std::span<const Index> corners) {
-  for (const auto& corner : shape.corner_tetrahedra) {
-    if (VolumeCorner(x, by_nodes(corner, corners)).inverted()) return false;
-  }
+  for (const auto* list : {&shape.corner_tetrahedra, &shape.face_tetrahedra})
+    for (const auto& nodes : *list)
+      if (VolumeCorner(x, by_nodes(nodes, corners)).inverted()) return false;
   return true;
 }
 
@@ -316,7 +338,9 @@ bool hexahedron_positive(const SpacePoints& x, std::span<const Index> corners) {
 bool pyramids_positive(const SpacePoints& x, const ElementShape& shape,
                        std::span<const Index> corners) {
   std::vector<FaceGeometry> faces;
+  faces.reserve(shape.faces.size());
   std::vector<Vec3> places;
+  places.reserve(8);
   for (const Face& face : shape.faces) {
     places.clear();
     for (const Index k : face) places.emplace_back(x[corners[at(k)]]);

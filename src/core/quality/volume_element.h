@@ -79,8 +79,9 @@ class VolumeElement {
 ///   times (A. Johnen, J.-F. Remacle, C. Geuzaine, J. Comput. Phys. 233, 2013). If it is still
 ///   undecided it counts as not positive: the minimum is then within about 1e-6 of the largest
 ///   value from zero.
-/// - polyhedron: its corner tetrahedra are positive, and so are the pyramids from its centroid over
-///   its faces, as OpenFOAM asks (checkMesh, "face pyramids").
+/// - polyhedron: its corner tetrahedra and face tetrahedra are positive (PolyhedronShape), and so
+///   are the pyramids from its centroid over its faces, as OpenFOAM asks (checkMesh, "face
+///   pyramids").
 bool has_positive_jacobian(const SpacePoints& x, const ElementShape& shape,
                            std::span<const Index> corners);
 

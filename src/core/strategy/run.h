@@ -159,6 +159,14 @@ struct LayersHeld {
   double error = 0;   ///< largest |height / height in the reference mesh - 1|
 };
 
+/// Internal faces of a volume mesh with polyhedra that lean by more than checkMesh of OpenFOAM
+/// allows (70 degrees), and did not in the reference mesh (face_angles.h).
+struct FaceAngles {
+  Index beyond = 0;  ///< number of them in the result
+  Index mended = 0;  ///< of those of the solution, how many fewer the result has
+  double worst = 0;  ///< largest of their angles, degrees; 0: there are none
+};
+
 /// The result of a smoothing run.
 struct SmoothResult : RunOutcome {
   int outer_iterations = 0;
@@ -169,6 +177,7 @@ struct SmoothResult : RunOutcome {
   MovingBoundary boundary;      ///< how nodes of the boundary slid or were paired
   Index kept_outside = 0;       ///< interior nodes that SmoothOptions::keep_outside fixed
   Index prescribed_inside = 0;  ///< interior nodes that the motion takes
+  std::optional<FaceAngles> face_angles;  ///< after a motion; none: the mesh has no polyhedra
   std::optional<LayersHeld> layers_held;  ///< at held walls of a volume mesh; none: no walls held
   std::vector<IterationRecord> history;
   /// Memory at the end of the stage of the run that took the most.

@@ -9,6 +9,7 @@
 #include "core/motion/transfer.h"
 #include "core/problem/node_unknowns.h"
 #include "core/quality/quality.h"
+#include "core/strategy/face_angles.h"
 #include "core/strategy/keep_outside.h"
 #include "core/strategy/pointwise_run.h"
 #include "core/strategy/sliding.h"
@@ -428,6 +429,14 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& asked,
 
 namespace {
 
+/// Whether a motion has to keep the angles of faces: its own limits come first.
+bool heeds_face_angles(const MeshState& state, const SmoothOptions& options,
+                       const MotionOptions& how, const SmoothResult& result) {
+  return state.mesh.topology->has_polyhedra() && options.formulation == Formulation::variational &&
+         options.targets.keep > 0 && !how.floor.given() && result.inverted == 0 &&
+         result.fraction_reached > 0;
+}
+
 /// smooth_motion() of a motion that takes along the images of its nodes.
 SmoothResult smooth_complete_motion(const MeshState& state, const Motion& bodies,
                                     const MotionOptions& how, const SmoothOptions& asked,
@@ -486,6 +495,8 @@ SmoothResult smooth_complete_motion(const MeshState& state, const Motion& bodies
   result.without_shape = without_shape(workspace);
   if (options.raise_worst)
     raise_worst(state, classes, workspace, recorder, result.fraction_reached, x);
+  else if (heeds_face_angles(state, options, how, result))
+    result.face_angles = keep_face_angles(state, *classes, options, run.monitor, x);
   return result;
 }
 

@@ -37,14 +37,15 @@ void add_cells(const Source& source, const PolyMesh& mesh, ParsedMesh& out) {
 
 namespace {
 
-/// Whether a cell is inverted as the element that it is, and sound as one of finite volumes.
+/// Whether a cell is inverted, or flat at a corner, as the element that it is, and sound as one of
+/// finite volumes.
 bool is_sound_by_faces(const MeshData& data, Index e) {
   const auto corners = data.element(e);
   const SpacePoints x(data.coordinates);
   const ElementShape& shape = shape_of(data.types[at(e)]);
-  if (has_positive_jacobian(x, shape, corners)) return false;
   std::vector<Vec3> places;
   for (const Index node : corners) places.emplace_back(x[node]);
+  if (!has_flat_corner(shape, places) && has_positive_jacobian(x, shape, corners)) return false;
   const PolyhedronShape by_faces(shape.faces, places);
   return has_positive_jacobian(x, by_faces.shape(), corners);
 }

@@ -126,11 +126,11 @@ void FoamScanner::close_list(const FoamForm& form, Index count) {
   if (peek() == ")" || count > 0 || !form.binary) expect(")");
 }
 
-FoamList<Index> FoamScanner::labels(const FoamForm& form, const Expected& entry) {
+FoamList<Index> FoamScanner::labels(const FoamForm& form, const Expected& entry, Index least) {
   FoamList<Index> list;
   const Index n = open_list(form, {"the length of a list"}, 2, form.label_bytes);
   const auto add = [&](std::int64_t value, std::size_t place) {
-    if (value < 0 || value > std::numeric_limits<Index>::max())
+    if (value < least || value > std::numeric_limits<Index>::max())
       source_.fail(place, std::to_string(value), entry.text());
     list.values.push_back(static_cast<Index>(value));
     list.places.push_back(place);

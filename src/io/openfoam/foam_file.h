@@ -72,8 +72,8 @@ class FoamScanner {
 
   /// Reads the entry FoamFile, if there is one.
   FoamForm header();
-  /// Reads a list of labels: "3(0 1 2)", "3{7}", or binary.
-  FoamList<Index> labels(const FoamForm& form, const Expected& entry);
+  /// Reads a list of labels, none less than `least`: "3(0 1 2)", "3{7}", or binary.
+  FoamList<Index> labels(const FoamForm& form, const Expected& entry, Index least = 0);
   /// Reads a list of points, three numbers each: "2((0 0 0) (1 0 0))", or binary.
   FoamList<double> points(const FoamForm& form);
   /// Reads a list of faces of points 0 to points - 1, compact or not.

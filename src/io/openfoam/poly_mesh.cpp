@@ -109,16 +109,25 @@ class Reader {
     FoamScanner scan(source_, ranges_[file]);
     const FoamForm form = scan.header();
     const std::size_t faces = at(mesh_.faces.size());
-    const FoamList<Index> list = scan.labels(form, {"the cell of face"});
+    const bool of_neighbours = file == 3;
+    FoamList<Index> list = scan.labels(form, {"the cell of face"}, of_neighbours ? -1 : 0);
+    // Older files list the faces of the boundary, too, with -1 for the cell that is not there.
+    while (of_neighbours && !list.values.empty() && list.values.back() == -1)
+      list.values.pop_back();
     const std::size_t n = list.values.size();
     if (n > faces || (file == 2 && n != faces))
       source_.fail(ranges_[file].begin, std::to_string(n) + " cells",
                    std::to_string(faces) + ", the number of faces");
     // A cell has at least four faces, so there are fewer cells than faces.
-    for (std::size_t f = 0; f < n; ++f)
+    for (std::size_t f = 0; f < n; ++f) {
+      if (list.values[f] == -1)
+        source_.fail(list.places[f],
+                     "no neighbour of face " + std::to_string(f) + " and one of a later face",
+                     "the faces of the boundary last");
       if (at(list.values[f]) >= faces)
         source_.fail(list.places[f], "cell " + std::to_string(list.values[f]),
                      "0 or more, fewer than there are faces");
+    }
     return list.values;
   }
 

@@ -44,8 +44,8 @@ class Reader {
     const Index flat = out_.data.has_polyhedra() ? give_faces_to_flat_cells(out_.data) : 0;
     if (flat > 0)
       out_.warnings.push_back(std::to_string(flat) + (flat == 1 ? " cell is" : " cells are") +
-                              " inverted by the corners and sound by the faces, as checkMesh sees "
-                              "them: taken as polyhedra, without the corners that are flat");
+                              " inverted or flat at a corner and sound by the faces, as checkMesh "
+                              "sees them: taken as polyhedra, without the corners that are flat");
     for (const Patch& patch : mesh().patches) {
       Marker& marker = add_marker(patch.name);
       for (std::int64_t f = patch.first; f < patch.first + patch.count; ++f) {

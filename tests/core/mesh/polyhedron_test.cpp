@@ -240,6 +240,50 @@ TEST_CASE("a mesh of split hexahedra has flat corners, and moves there and back"
   CHECK(apart < 1e-6);  // of a cube with edges of 1, by the tolerance of two solves
 }
 
+TEST_CASE("walls of cells by faces may meet in an edge, those of elements by types may not") {
+  // The cubes 0 0 and 1 1 of the two lower layers share an edge and no face.
+  const MeshData data = cubes_with_holes(4, Volumes::hexahedra, [](Index i, Index j, Index k) {
+    return k < 2 && i < 2 && j < 2 && i != j;
+  });
+  CHECK_THROWS_AS(make_mesh(data), MeshError);
+  const MeshState state = make_state(make_mesh(as_polyhedra(data)));
+  CHECK(state.mesh.topology->element_count() == data.element_count());
+  SmoothCommand smooth;
+  smooth.smooth.targets = TargetBlend::regular();
+  MeshState shaken = state;
+  Random random(5);
+  for (const Index node : state.mesh.topology->interior_nodes())
+    shaken.mesh.coordinates.set_xyz(
+        node, state.mesh.coordinates.xyz(node) + 0.03 * random_vector(random));
+  const CommandResult result = execute(smooth, shaken);
+  CHECK(result.smooth.converged);
+  for (const Index node : state.mesh.topology->interior_nodes())
+    CHECK((result.state.mesh.coordinates.xyz(node) - state.mesh.coordinates.xyz(node)).norm() <
+          1e-5);
+}
+
+TEST_CASE("a hexahedron with one flat corner has face tetrahedra over it") {
+  std::vector<Vec3> places = places_of(ElementType::hexahedron);
+  const std::vector<Face> faces = faces_of_type(ElementType::hexahedron);
+  CHECK(PolyhedronShape(faces, places).shape().face_tetrahedra.empty());
+  CHECK_FALSE(has_flat_corner(shape_of(ElementType::hexahedron), places));
+  places[6] = Vec3(0.68, 0.68, 0.68);  // near the plane of its three neighbours
+  CHECK(has_flat_corner(shape_of(ElementType::hexahedron), places));
+  const PolyhedronShape flat(faces, places);
+  const ElementShape& shape = flat.shape();
+  CHECK(shape.corner_tetrahedra.size() == 7);
+  CHECK(shape.face_tetrahedra.size() == 3);  // one for each of its faces
+  for (const auto& [corner, a, b, behind] : shape.face_tetrahedra) {
+    CHECK(corner == 6);
+    const auto place = [&](Index k) { return places[static_cast<std::size_t>(k)]; };
+    const Vec3 p = place(corner);
+    CHECK((place(a) - p).dot((place(b) - p).cross(place(behind) - p)) > 0.1);
+  }
+  // All corners of a sheared hexahedron are alike.
+  for (Vec3& p : places = places_of(ElementType::hexahedron)) p.x() += 12 * p.z();
+  CHECK_FALSE(has_flat_corner(shape_of(ElementType::hexahedron), places));
+}
+
 TEST_CASE("smoothing leaves a mesh of regular split hexahedra as it is, and mends a shaken one") {
   const Mesh mesh = make_mesh(split_box_with_body(6));
   MeshState state = make_state(mesh);

@@ -73,6 +73,23 @@ TEST_CASE("OpenFOAM: a case, its folder, and a file .foam in it are the same mes
   }
 }
 
+TEST_CASE("OpenFOAM: older files list faces of the boundary among the neighbours") {
+  const TemporaryFolder folder;
+  const fs::path mesh = write_cube_case(folder.path());
+  for (const char* neighbours : {"6(-1 -1 -1 -1 -1 -1)", "6{-1}"}) {
+    write_text(mesh / "neighbour", neighbours);
+    CHECK(io::read_mesh(mesh).mesh.topology->element_count() == 1);
+  }
+  write_text(mesh / "neighbour", "6(-1 -1 0 -1 -1 -1)");
+  CHECK_THROWS_WITH_AS(io::read_mesh(mesh),
+                       (mesh.string() + "/neighbour:1: found no neighbour of face 0 and one of a "
+                                        "later face, expected the faces of the boundary last")
+                           .c_str(),
+                       InputError);
+  write_text(mesh / "owner", "6(0 0 -1 0 0 0)");
+  CHECK_THROWS_AS(io::read_mesh(mesh), InputError);
+}
+
 TEST_CASE("OpenFOAM: while nodes only move, all but their places stays as it is") {
   const TemporaryFolder folder;
   const fs::path mesh = write_cube_case(folder.path());
@@ -307,7 +324,8 @@ TEST_CASE("OpenFOAM: a hexahedron with a corner in a flat wall is a polyhedron a
   io::write_mesh(folder / "constant/polyMesh", mesh, nullptr);
   const io::MeshFile file = io::read_mesh(folder / "constant/polyMesh");
   const Mesh& read = file.mesh;
-  CHECK_CONTAINS(file.warnings.at(0), "1 cell is inverted by the corners and sound by the faces");
+  CHECK_CONTAINS(file.warnings.at(0),
+                 "1 cell is inverted or flat at a corner and sound by the faces");
   CHECK(check_validity(*read.topology, read.coordinates).inverted == 0);
   const Index last = read.topology->element_count() - 1;
   CHECK(read.topology->element_type(last) == ElementType::polyhedron);
