@@ -1,3 +1,7 @@
+#include <bit>
+#include <set>
+#include <sstream>
+
 #include "core/quality/quality.h"
 #include "io/support/files.h"
 #include "io/support/polyhedra_samples.h"
@@ -55,11 +59,11 @@ void check_cubes(const io::MeshFile& file) {
   CHECK(topology.element_type(0) == ElementType::hexahedron);
   REQUIRE(topology.element_type(1) == ElementType::polyhedron);
   const auto corners = topology.element(1);
-  CHECK(std::vector<Index>(corners.begin(), corners.end()) ==
-        std::vector<Index>{4, 5, 6, 7, 8, 9, 10, 11});
-  CHECK(faces_of(topology, 1) ==
-        std::vector<Face>{Face(4, 5, 9, 8), Face(4, 7, 6, 5), Face(4, 8, 11, 7), Face(5, 6, 10, 9),
-                          Face(6, 7, 11, 10), Face(8, 9, 10, 11)});
+  CHECK(std::set<Index>(corners.begin(), corners.end()) ==
+        std::set<Index>{4, 5, 6, 7, 8, 9, 10, 11});
+  CHECK(faces_of(topology, 1) == std::vector<Face>{Face(4, 5, 9, 8), Face(4, 7, 6, 5),
+                                                   Face(4, 8, 11, 7), Face(5, 6, 10, 9),
+                                                   Face(6, 7, 11, 10), Face(8, 9, 10, 11)});
   CHECK(measure_quality(file.mesh).inverted == 0);
   CHECK(topology.markers().size() == 1);
 }
@@ -116,9 +120,9 @@ TEST_CASE("VTU: faces that are seen from inside, all or some of them") {
   CHECK(any_contains(some.warnings, "1 polyhedron has some faces seen from inside"));
 }
 
-TEST_CASE("VTU: the nodes of a polyhedron are those of its faces, whatever the list of cells says") {
+TEST_CASE(
+    "VTU: the nodes of a polyhedron are those of its faces, whatever the list of cells says") {
   const std::string text = classic(stream, "-1 31 -1");
-  check_cubes(read_from_text("a.vtu", replaced(text, "4 5 6 7 8 9 10 11 0", "4 5 6 7 8 9 10 11 0")));
   const io::MeshFile other =
       read_from_text("a.vtu", replaced(text, "4 5 6 7 8 9 10 11 0", "4 5 6 7 8 9 10 10 0"));
   CHECK(other.mesh.topology->element(1).size() == 8);
@@ -183,8 +187,9 @@ TEST_CASE("VTU: arrays of VTK 9.4 that do not fit are refused with file and line
   CHECK_CONTAINS(error("0 1 2 3 4 7", "0 6 6"),
                  "a.vtu:37: found face 7 in cell 1, expected 0 to 6");
   CHECK_CONTAINS(error("0 1 2 3 4 -1", "0 6 6"), "a.vtu:37: found face -1 in cell 1");
-  CHECK_CONTAINS(error("0 1 2 3 4 4 4", "0 7 7"),
-                 "a.vtu:37: found face 4 in cell 1, which two cells have already, expected at most");
+  CHECK_CONTAINS(
+      error("0 1 2 3 4 4 4", "0 7 7"),
+      "a.vtu:37: found face 4 in cell 1, which two cells have already, expected at most");
   CHECK_CONTAINS(error("0 1 2 3 4 5", "0 7 7"),
                  "a.vtu:40: found 7 as the end of the faces of cell 1, expected 0 to 6");
   CHECK_CONTAINS(error("0 1 2 3 4 5", "1 6 6"),
@@ -224,6 +229,115 @@ TEST_CASE("VTU: a convex set of points is refused") {
         "a.vtu:22: found cell type 41 (a convex set of points), expected a line (3), triangle (5), "
         "quadrilateral (9), tetrahedron (10), hexahedron (12), wedge (13), pyramid (14) or "
         "polyhedron (42)");
+}
+
+namespace {
+
+const std::string legacy_points = "DATASET UNSTRUCTURED_GRID\nPOINTS 12 double\n" + points;
+const std::string legacy_types = "CELL_TYPES 3\n12\n42\n9\n";
+const std::string legacy_data =
+    "CELL_DATA 3\nSCALARS marker int 1\nLOOKUP_TABLE default\n0\n0\n5\n"
+    "POINT_DATA 12\nSCALARS T float 1\nLOOKUP_TABLE "
+    "default\n0\n1\n2\n3\n4\n5\n6\n7\n8\n9\n10\n11\n";
+
+/// As VTK writes version 4.2: the list of a polyhedron is its face stream.
+const std::string legacy =
+    "# vtk DataFile Version 4.2\nvtk output\nASCII\n" + legacy_points +
+    "CELLS 3 46\n8 0 1 2 3 4 5 6 7 \n31 6 4 4 7 6 5 4 8 9 10 11 4 4 5 9 8 4 5 "
+    "6 10 9 4 6 7 11 10 4 7 4 8 11 \n4 0 1 2 3 \n\n" +
+    legacy_types + legacy_data;
+/// As VTK writes version 5.1: the face stream is the connectivity of a polyhedron.
+const std::string legacy_5 =
+    "# vtk DataFile Version 5.1\nvtk output\nASCII\n" + legacy_points +
+    "CELLS 4 43\nOFFSETS vtktypeint64\n0 8 39 43 \nCONNECTIVITY vtktypeint64\n0 1 2 3 4 5 6 7 6 \n"
+    "4 4 7 6 5 4 8 9 10 \n11 4 4 5 9 8 4 5 6 \n10 9 4 6 7 11 10 4 7 \n4 8 11 0 1 2 3 \n" +
+    legacy_types + legacy_data;
+
+template <class Number>
+std::string big_endian(const std::string& numbers) {
+  std::istringstream words(numbers);
+  std::string bytes;
+  for (Number number = 0; words >> number;) {
+    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+    std::reverse(raw.begin(), raw.end());
+    bytes.append(raw.data(), raw.size());
+  }
+  return bytes + "\n";
+}
+
+/// The mesh of legacy_5 in binary.
+std::string binary_legacy_5() {
+  return "# vtk DataFile Version 5.1\nvtk output\nBINARY\nDATASET UNSTRUCTURED_GRID\n"
+         "POINTS 12 double\n" +
+         big_endian<double>(points) + "CELLS 4 43\nOFFSETS vtktypeint64\n" +
+         big_endian<std::int64_t>("0 8 39 43") + "CONNECTIVITY vtktypeint64\n" +
+         big_endian<std::int64_t>("0 1 2 3 4 5 6 7 " + stream + " 0 1 2 3") + "CELL_TYPES 3\n" +
+         big_endian<std::int32_t>("12 42 9") + "CELL_DATA 3\nSCALARS marker int 1\n" +
+         "LOOKUP_TABLE default\n" + big_endian<std::int32_t>("0 0 5") + "POINT_DATA 12\n" +
+         "SCALARS T float 1\nLOOKUP_TABLE default\n" +
+         big_endian<float>("0 1 2 3 4 5 6 7 8 9 10 11");
+}
+
+}  // namespace
+
+TEST_CASE("VTK: polyhedra of legacy files, of version 4 and of version 5, text and binary") {
+  for (const std::string& text : {legacy, legacy_5, binary_legacy_5()}) {
+    const TemporaryFolder folder;
+    write_text(folder / "a.vtk", text);
+    const io::MeshFile file = io::read_mesh(folder / "a.vtk");
+    check_cubes(file);
+    CHECK(file.details->binary == contains(text, "BINARY"));
+    for (const char* name : {"b.vtk", "b.vtu"}) {
+      for (const bool binary : {false, true}) {
+        io::WriteOptions options;
+        options.binary = binary;
+        options.keep_encoding = false;
+        CHECK(io::write_mesh(folder / name, file.mesh, file.details.get(), options).empty());
+        const io::MeshFile again = io::read_mesh(folder / name);
+        check_cubes(again);
+        CHECK(again.details->data_names() == "T");
+        CHECK(again.details->binary == binary);
+      }
+    }
+  }
+}
+
+TEST_CASE("VTK: a legacy file lists the face stream of a polyhedron") {
+  const io::MeshFile file = read_from_text("a.vtk", legacy);
+  const TemporaryFolder folder;
+  io::write_mesh(folder / "b.vtk", file.mesh, file.details.get());
+  CHECK_CONTAINS(
+      read_text(folder / "b.vtk"),
+      "\nCELLS 3 46\n8 0 1 2 3 4 5 6 7\n31 6 4 4 7 6 5 4 8 9 10 11 4 4 5 9 8 4 5 6 10 9 4 "
+      "6 7 11 10 4 7 4 8 11\n4 0 1 2 3\nCELL_TYPES 3\n12\n42\n9\n");
+  // Four arrays of VTK 9.4 become a face stream, too.
+  const io::MeshFile of_tables = read_from_text("a.vtu", tables("0 1 2 3 4 5", "0 6 6"));
+  io::write_mesh(folder / "c.vtk", of_tables.mesh, of_tables.details.get());
+  CHECK_CONTAINS(read_text(folder / "c.vtk"),
+                 "\n31 6 4 4 7 6 5 4 8 9 10 11 4 4 5 9 8 4 5 6 10 9 4 ");
+  check_cubes(io::read_mesh(folder / "c.vtk"));
+}
+
+TEST_CASE("VTK: face streams that fit nothing are refused with file and line") {
+  const auto error = [](const std::string& part, const std::string& by) {
+    return input_error("a.vtk", replaced(legacy, part, by));
+  };
+  const std::string place = "a.vtk:20: found ";
+  CHECK(error("31 6 4", "31 7 4") ==
+        place +
+            "31 numbers for the faces of cell 1, a polyhedron, that do not fit each other, "
+            "expected the number of its faces, then of each the number of nodes and the nodes");
+  CHECK_CONTAINS(error("4 7 4 8 11", "3 7 4 8 11"), place + "31 numbers for the faces of cell 1");
+  CHECK_CONTAINS(error("4 7 4 8 11", "-4 7 4 8 11"), place + "31 numbers for the faces of cell 1");
+  CHECK_CONTAINS(error("4 7 4 8 11", "4 7 4 8 12"), place + "node 12, expected 0 to 11");
+  CHECK_CONTAINS(error("4 7 4 8 11", "4 7 4 8 4"),
+                 place + "a face with a node twice: nodes 7, 4, ");
+  CHECK_CONTAINS(error("4 7 4 8 11", "4 7 4 8 9"), " at the edge between nodes ");
+  CHECK_CONTAINS(error("46\n8 0", "46\n9 0"), "a.vtk:19: found 46 as the length of the list");
+  CHECK_CONTAINS(input_error("a.vtk", replaced(legacy_5, "0 8 39 43", "0 8 38 43")),
+                 "a.vtk:22: found 30 numbers for the faces of cell 1");
+  CHECK_CONTAINS(input_error("a.vtk", replaced(legacy_5, "0 8 39 43", "0 8 44 43")),
+                 "a.vtk:20: found 44 as an offset");
 }
 
 }  // namespace winslow::test
