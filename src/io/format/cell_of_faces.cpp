@@ -139,9 +139,7 @@ class FacesOfCell {
     const auto k = static_cast<std::size_t>(&edge - edges_.data());
     return edges_[k % 2 == 0 ? k + 1 : k - 1];
   }
-  bool meets_opposite(const FaceEdge& edge) const {
-    return edge.ascends != opposite(edge).ascends;
-  }
+  bool meets_opposite(const FaceEdge& edge) const { return edge.ascends != opposite(edge).ascends; }
 
   /// Goes from face to face over the edges, and turns those that do not face as the first one.
   Index turn() {
