@@ -27,8 +27,7 @@ std::vector<std::int64_t> nodes_of_stream(std::span<const std::int64_t> stream) 
     for (const std::int64_t node : nodes) first.emplace_back(node, first.size());
   });
   std::ranges::sort(first);
-  const auto again =
-      std::ranges::unique(first, {}, &std::pair<std::int64_t, std::size_t>::first);
+  const auto again = std::ranges::unique(first, {}, &std::pair<std::int64_t, std::size_t>::first);
   first.erase(again.begin(), again.end());
   std::ranges::sort(first, {}, &std::pair<std::int64_t, std::size_t>::second);
   std::vector<std::int64_t> nodes;
@@ -44,9 +43,8 @@ void split_face_streams(const Source& source, Grid& grid) {
   const std::vector<std::int64_t> ends = std::exchange(grid.offsets, {0});
   grid.face_offsets = {0};
   for (std::size_t c = 0; c < grid.cell_count(); ++c) {
-    const auto list =
-        std::span(lists).subspan(static_cast<std::size_t>(ends[c]),
-                                 static_cast<std::size_t>(ends[c + 1] - ends[c]));
+    const auto list = std::span(lists).subspan(static_cast<std::size_t>(ends[c]),
+                                               static_cast<std::size_t>(ends[c + 1] - ends[c]));
     if (grid.types[c] != polyhedron) {
       grid.connectivity.insert(grid.connectivity.end(), list.begin(), list.end());
     } else {
@@ -84,8 +82,7 @@ class FacesReader {
     else if (find("face_connectivity"))
       read_tables();
     else
-      source_.fail(arrays_.place(cells_),
-                   "no array \"faces\" for the polyhedra (cell type 42)",
+      source_.fail(arrays_.place(cells_), "no array \"faces\" for the polyhedra (cell type 42)",
                    "\"faces\" and \"faceoffsets\", or \"face_connectivity\" and the other three "
                    "of VTK 9.4");
   }
@@ -114,10 +111,10 @@ class FacesReader {
                  const char* what) const {
     const auto last = static_cast<std::int64_t>(size);
     if (ends.values[k] >= begin && ends.values[k] <= last) return;
-    source_.fail(ends.places[k],
-                 std::to_string(ends.values[k]) + " as the end of the " + what + ' ' +
-                     std::to_string(k),
-                 std::to_string(begin) + " to " + std::to_string(last));
+    source_.fail(
+        ends.places[k],
+        std::to_string(ends.values[k]) + " as the end of the " + what + ' ' + std::to_string(k),
+        std::to_string(begin) + " to " + std::to_string(last));
   }
   void check_whole(const Numbers& list, std::int64_t end) const {
     if (end == static_cast<std::int64_t>(list.values.size())) return;

@@ -297,11 +297,10 @@ ParsedMesh to_mesh(const Source& source, Grid grid) {
 std::vector<Index> Details::nodes_of(std::size_t cell) const {
   std::vector<Index> nodes;
   if (types[cell] == polyhedron) {
-    for_each_face(std::span(faces).subspan(at(face_offsets[cell]),
-                                           at(face_offsets[cell + 1] - face_offsets[cell])),
-                  [&](std::span<const Index> face) {
-                    nodes.insert(nodes.end(), face.begin(), face.end());
-                  });
+    for_each_face(
+        std::span(faces).subspan(at(face_offsets[cell]),
+                                 at(face_offsets[cell + 1] - face_offsets[cell])),
+        [&](std::span<const Index> face) { nodes.insert(nodes.end(), face.begin(), face.end()); });
     sort_unique(nodes);
     return nodes;
   }
