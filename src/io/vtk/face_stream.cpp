@@ -27,8 +27,8 @@ std::vector<std::int64_t> nodes_of_stream(std::span<const std::int64_t> stream) 
     for (const std::int64_t node : nodes) first.emplace_back(node, first.size());
   });
   std::ranges::sort(first);
-  const auto again = std::ranges::unique(first, {}, &std::pair<std::int64_t, std::size_t>::first);
-  first.erase(again.begin(), again.end());
+  const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
+  first.erase(std::unique(first.begin(), first.end(), same), first.end());
   std::ranges::sort(first, {}, &std::pair<std::int64_t, std::size_t>::second);
   std::vector<std::int64_t> nodes;
   for (const auto& [node, place] : first) nodes.push_back(node);
