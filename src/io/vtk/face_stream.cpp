@@ -92,7 +92,7 @@ class FacesReader {
     return cells_.find_child_by_attribute("DataArray", "Name", name);
   }
 
-  /// count: of the values, if it is known; what: the things that are counted.
+  /// count: of the values, if it is known.
   Numbers numbers(const char* name, VtuArrays::Count count = {}) const {
     Numbers found{find(name), {}, {}};
     if (!found.array)
