@@ -324,7 +324,7 @@ void print_formats(std::ostream& out) {
     out << "| " << format->title << (format->versions.empty() ? "" : ", ") << format->versions
         << " | " << code('.' + std::string(format->name)) << " | " << format->encodings << " | "
         << format->markers << " | " << format->regions << " | " << format->quadrilaterals << " | "
-        << format->volumes << " |\n";
+        << format->volumes << (format->polyhedra ? ", with polyhedra" : "") << " |\n";
   }
 }
 

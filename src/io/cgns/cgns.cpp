@@ -13,6 +13,7 @@ const MeshFormat format{.name = "cgns",
                         .markers = "yes, by name",
                         .regions = "yes, not in structured zones",
                         .writes = {true, false, true},
+                        .polyhedra = true,
                         .keeps_periodic = true,
                         .missing = no_library,
                         .recognise =

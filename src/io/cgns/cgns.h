@@ -55,10 +55,11 @@ struct NewZoneSource {
   const Details* details = nullptr;      ///< of the old zone
   const FormatDetails* place = nullptr;  ///< tells where the plane of the mesh lies
   int physical_dimension = 2;
-  bool start_offsets = false;  ///< MIXED sections as CGNS 3.4 and 4 have them
+  bool start_offsets = false;  ///< MIXED and NGON_n sections as CGNS 3.4 and 4 have them
 };
 /// Makes an unstructured zone: a section of elements for each type, or one MIXED section if the
 /// order of the elements needs it, and a section of lines and a boundary condition for each marker.
+/// A mesh with polyhedra has one section of all faces and one of all cells (FaceSections) instead.
 /// Nodes of the old zone that do not depend on its elements are kept.
 NewZone make_zone(const Mesh& mesh, const NewZoneSource& source,
                   std::vector<std::string>& warnings);

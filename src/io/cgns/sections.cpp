@@ -144,9 +144,11 @@ class SectionReader {
       sides_.numbers.add({first, last, {{ElementPlace::Kind::cell, 0}}});
   }
 
-  /// Sections of polygons list faces between cells, too. Such a section names no marker.
+  /// Sections of polygons list faces between cells, too. Such a section names no marker, and
+  /// neither does the only one of a zone with one cell.
   void drop_inner_sections() {
     if (uses_.empty()) return;
+    if (sides_.sections.size() == 1) return sides_.sections.clear();
     uses_.resize(sides_.faces.size(), 0);
     std::erase_if(sides_.sections, [&](const ZoneSides::Section& section) {
       const auto begin = uses_.begin() + static_cast<std::ptrdiff_t>(section.first);
@@ -202,11 +204,12 @@ class SectionReader {
     const auto place = static_cast<std::size_t>(k);
     const std::int64_t count =
         starts_.empty() ? next_number(k) : starts_[place + 1] - starts_[place];
-    if (count != 3 && count != 4) {
+    if (count < 3 || (dimension_ == 2 && count > 4)) {
       section_->view.fail(number(k) + " with " + std::to_string(count) + " corners",
-                          "triangles and quadrilaterals");
+                          dimension_ == 2 ? "triangles and quadrilaterals" : "three or more");
     }
     read_corners(k, static_cast<std::size_t>(count));
+    if (dimension_ == 3) return add_side();
     add(count == 3 ? ElementType::triangle : ElementType::quadrilateral);
   }
 
@@ -224,15 +227,25 @@ class SectionReader {
         view_->fail("face " + std::to_string(coded) + " in " + number(k),
                     "the number of a face in a section NGON_n");
       }
+      if (!uses_.empty() && uses_[at(found.index)] == 2) {
+        view_->fail(
+            "face " + std::to_string(coded) + " in " + number(k) + ", which two cells have already",
+            "at most two cells at a face");
+      }
       faces.push_back(face_of_cell(at(found.index), face < 0));
     }
-    const auto cell = cell_of_faces(faces);
-    if (!cell) {
-      section_->view.fail(number(k) + ", a polyhedron of " + std::to_string(count) + " faces",
-                          "tetrahedra, pyramids, prisms and hexahedra");
-    }
     places_.push_back({ElementPlace::Kind::cell, mesh_.element_count()});
-    mesh_.add_element(cell->type, cell->corners);
+    add_cell(std::move(faces), section_->view, number(k));
+  }
+
+  /// view, name: of the cell, for messages.
+  void add_cell(std::vector<Face> faces, const NodeView& view, const std::string& name) {
+    try {
+      sides_.turned_cells += make_faces_alike(faces, 1) > 0 ? 1 : 0;
+    } catch (const FacesFault& fault) {
+      view.fail(fault.found + " in " + name + ", a polyhedron", fault.expected);
+    }
+    add_cell_of_faces(faces, mesh_);
   }
 
   /// A face as one of its cells sees it from outside; counts the cells of each face.
@@ -245,14 +258,8 @@ class SectionReader {
   void add_cell_of(std::span<const Parent> parents) {
     std::vector<Face> faces;
     for (const Parent& parent : parents) faces.push_back(face_of_cell(parent.side, parent.second));
-    const auto cell = cell_of_faces(faces);
-    if (!cell) {
-      required(parents.front().section->view, "ParentElements")
-          .fail("cell " + std::to_string(parents.front().cell) + ", a polyhedron of " +
-                    std::to_string(faces.size()) + " faces",
-                "tetrahedra, pyramids, prisms and hexahedra");
-    }
-    mesh_.add_element(cell->type, cell->corners);
+    add_cell(std::move(faces), required(parents.front().section->view, "ParentElements"),
+             "cell " + std::to_string(parents.front().cell));
   }
 
   [[noreturn]] void refuse(std::int64_t k, std::int64_t type) const {

@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "core/mesh/face_pairs.h"
+
 namespace winslow::io::cgns {
 namespace {
 
@@ -13,9 +15,8 @@ std::vector<Face> boundary_faces(const MeshData& mesh) {
   };
   std::vector<Side> sides;
   for (Index e = 0; e < mesh.element_count(); ++e) {
-    const auto& faces = shape_of(mesh.types[at(e)]).faces;
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      sides.push_back({by_nodes(faces[f], mesh.element(e)).sorted(), e, static_cast<Index>(f)});
+    for (Index f = 0; f < mesh.face_count(e); ++f)
+      sides.push_back({face_of_side(mesh, e, f).sorted(), e, f});
   }
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.key < b.key; });
   std::vector<Side> single;
@@ -29,10 +30,7 @@ std::vector<Face> boundary_faces(const MeshData& mesh) {
     return std::pair(a.element, a.local) < std::pair(b.element, b.local);
   });
   std::vector<Face> found;
-  for (const Side& side : single) {
-    found.push_back(by_nodes(shape_of(mesh.types[at(side.element)]).faces[at(side.local)],
-                             mesh.element(side.element)));
-  }
+  for (const Side& side : single) found.push_back(face_of_side(mesh, side.element, side.local));
   return found;
 }
 

@@ -3,6 +3,7 @@
 #include "io/cgns/structured.h"
 #include "io/cgns/zone_markers.h"
 #include "io/cgns/zones.h"
+#include "io/format/cell_of_faces.h"
 
 namespace winslow::io::cgns {
 
@@ -100,6 +101,8 @@ class ZoneReader {
     } else {
       const ZoneSides sides = read_sections(zone_, head_, mesh_.data);
       place_nodes(grid, places, {});
+      warn_of_turned_cells(sides.turned_cells);
+      give_faces_to_flat_cells(mesh_);
       const UnstructuredBoundary boundary(mesh_.data, sides, head_);
       make_markers(place_, head_, boundary, sides, {}, mesh_, *details_);
       read_periodic(boundary, [&](const NodeView& connection) {
@@ -148,6 +151,14 @@ class ZoneReader {
     grid.set_part();
     const bool volume = mesh_.data.cell_dimension() == 3;
     (volume ? set_space_nodes : set_planar_nodes)(zone_.source(), xyz, mesh_);
+  }
+
+  void warn_of_turned_cells(Index count) {
+    if (count == 0) return;
+    mesh_.warnings.push_back(
+        std::to_string(count) + (count == 1 ? " cell has" : " cells have") +
+        " faces of which the signs (NFACE_n) or the parents contradict each other: they were "
+        "turned alike");
   }
 
   void warn_of_other_grids() {

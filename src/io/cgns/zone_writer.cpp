@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "io/cgns/face_sections.h"
 #include "io/cgns/zones.h"
 #include "io/format/mesh_in_space.h"
 #include "io/format/parsed_mesh.h"
@@ -142,15 +143,6 @@ std::string node_name(const std::string& wanted, const std::set<std::string>& ta
   return name;
 }
 
-std::shared_ptr<Node> make_section(std::string name, std::int64_t type, Index first, Index count,
-                                   const Integers& connectivity) {
-  auto section = make_integers(std::move(name), "Elements_t", {static_cast<std::int32_t>(type), 0});
-  section->children.push_back(
-      make_integers("ElementRange", "IndexRange_t", {first, first + count - 1}));
-  section->children.push_back(make_integers("ElementConnectivity", "DataArray_t", connectivity));
-  return section;
-}
-
 /// True for children of a boundary condition that give its location or hold values there.
 bool of_place(const Node& child) {
   constexpr std::array labels{"IndexRange_t", "IndexArray_t", "GridLocation_t", "BCDataSet_t",
@@ -264,6 +256,7 @@ class ZoneMaker {
 
   void add_elements() {
     const Index count = topology_.element_count();
+    if (topology_.has_polyhedra()) return add_by_faces();
     if (!in_runs()) return add_mixed();
     for (Index e = 0; e < count;) {
       const ElementType type = topology_.element_type(e);
@@ -275,6 +268,14 @@ class ZoneMaker {
                                  "PyraElements", "PentaElements", "HexaElements"};
       add_section(names[static_cast<std::size_t>(type)], element_number(type), first, e - first,
                   nodes);
+    }
+  }
+
+  void add_by_faces() {
+    by_faces_ = make_face_sections(topology_, markers_, source_.start_offsets);
+    for (const auto& section : {by_faces_.faces, by_faces_.cells}) {
+      section->name = own_name(section->name);
+      zone_->children.push_back(section);
     }
   }
 
@@ -320,10 +321,29 @@ class ZoneMaker {
 
   std::string add_section(const std::string& name, std::int64_t type, Index first, Index count,
                           const Integers& entries) {
-    std::string own = node_name(name, taken_);
-    taken_.insert(own);
-    zone_->children.push_back(make_section(own, type, first + 1, count, entries));
+    std::string own = own_name(name);
+    zone_->children.push_back(make_section(own, type, first, count, entries));
     return own;
+  }
+
+  /// A name that no other node of the zone has, from now on taken.
+  std::string own_name(const std::string& wanted) {
+    std::string name = node_name(wanted, taken_);
+    taken_.insert(name);
+    return name;
+  }
+
+  static NodePtr make_range(Index first, Index last) {
+    return make_integers("PointRange", "IndexRange_t", {first, last}, {1, 2});
+  }
+  /// A range if the numbers follow each other, else a list.
+  static NodePtr numbered(const Integers& numbers) {
+    const bool follow = std::ranges::adjacent_find(numbers, [](std::int32_t a, std::int32_t b) {
+                          return a + 1 != b;
+                        }) == numbers.end();
+    if (follow) return make_range(numbers.front(), numbers.back());
+    return make_integers("PointList", "IndexArray_t", numbers,
+                         {1, static_cast<std::int64_t>(numbers.size())});
   }
 
   void add_markers() {
@@ -340,12 +360,14 @@ class ZoneMaker {
         continue;
       }
       const auto count = static_cast<Index>(marker.faces.size());
-      const std::string name = add_sides(marker, first);
+      const std::string name =
+          topology_.has_polyhedra() ? own_name(marker.name) : add_sides(marker, first);
       if (name != marker.name) warn_renamed("marker", marker.name, name);
       auto condition = make_condition(marker, name, condition_names);
       condition_names.insert(condition->name);
-      condition->children.push_back(
-          make_integers("PointRange", "IndexRange_t", {first + 1, first + count}, {1, 2}));
+      condition->children.push_back(topology_.has_polyhedra()
+                                        ? numbered(by_faces_.markers[m])
+                                        : make_range(first + 1, first + count));
       condition->children.push_back(make_text("GridLocation", "GridLocation_t", location));
       conditions->children.push_back(std::move(condition));
       first += count;
@@ -360,13 +382,13 @@ class ZoneMaker {
     std::vector<Integers> elements(topology_.regions().size());
     for (std::size_t e = 0; e < of_element.size(); ++e) {
       if (of_element[e] >= 0)
-        elements[at(of_element[e])].push_back(static_cast<std::int32_t>(e) + 1);
+        elements[at(of_element[e])].push_back(by_faces_.face_count + static_cast<std::int32_t>(e) +
+                                              1);
     }
     for (std::size_t r = 0; r < elements.size(); ++r) {
       const std::string& wanted = topology_.regions()[r].name;
       if (elements[r].empty()) continue;
-      const std::string name = node_name(wanted, taken_);
-      taken_.insert(name);
+      const std::string name = own_name(wanted);
       if (name != wanted) warn_renamed("region", wanted, name);
       auto part = make_integers(name, "ZoneSubRegion_t", {topology_.cell_dimension()});
       part->children.push_back(make_text("GridLocation", "GridLocation_t", "CellCenter"));
@@ -424,6 +446,7 @@ class ZoneMaker {
   std::shared_ptr<Node> zone_;
   std::vector<NodePtr> families_;
   std::set<std::string> taken_;
+  FaceSections by_faces_;  // of a mesh with polyhedra; else without nodes
 };
 
 }  // namespace

@@ -84,8 +84,8 @@ class ElementNumbers {
   std::vector<Range> ranges_;
 };
 
-/// The elements of one dimension less than the cells: lines, or triangles and quadrilaterals.
-/// Markers are made of them.
+/// The elements of one dimension less than the cells: lines, or triangles, quadrilaterals and
+/// polygons. Markers are made of them.
 struct ZoneSides {
   struct Section {
     std::string name;
@@ -94,6 +94,7 @@ struct ZoneSides {
   std::vector<Face> faces;
   std::vector<Section> sections;
   ElementNumbers numbers;
+  Index turned_cells = 0;  ///< cells given by faces of which some faced the other way
 };
 
 /// Reads all sections (Elements_t), in the order of their element numbers: cells into the mesh,

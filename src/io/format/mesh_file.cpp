@@ -99,7 +99,7 @@ std::size_t place_of(const MeshError& error, const SourceMap& where) {
 std::string formats_with_polyhedra() {
   std::string text;
   for (const MeshFormat* format : mesh_formats())
-    if (format->polyhedra)
+    if (format->polyhedra && format->missing.empty())
       text += (text.empty() ? "" : ", ") + std::string(format->title) + " (" +
               std::string(format->name) + ")";
   return text;

@@ -1,7 +1,5 @@
 #include "io/openfoam/cells.h"
 
-#include "core/parallel/parallel_for.h"
-#include "core/quality/volume_element.h"
 #include "io/format/cell_of_faces.h"
 #include "io/openfoam/foam_file.h"
 
@@ -33,58 +31,6 @@ void add_cells(const Source& source, const PolyMesh& mesh, ParsedMesh& out) {
       source.fail(mesh.owner_place, "no face of cell " + std::to_string(c), "four or more");
     add_cell(mesh, faces_of[at(c)], out);
   }
-}
-
-namespace {
-
-/// Whether a cell is inverted, or flat at a corner, as the element that it is, and sound as one of
-/// finite volumes.
-bool is_sound_by_faces(const MeshData& data, Index e) {
-  const auto corners = data.element(e);
-  const SpacePoints x(data.coordinates);
-  const ElementShape& shape = shape_of(data.types[at(e)]);
-  std::vector<Vec3> places;
-  for (const Index node : corners) places.emplace_back(x[node]);
-  if (!has_flat_corner(shape, places) && has_positive_jacobian(x, shape, corners)) return false;
-  const PolyhedronShape by_faces(shape.faces, places);
-  return has_positive_jacobian(x, by_faces.shape(), corners);
-}
-
-}  // namespace
-
-Index give_faces_to_flat_cells(MeshData& data) {
-  std::vector<unsigned char> by_faces(at(data.element_count()), 0);
-  parallel_for(0, data.element_count(), [&](Index begin, Index end) {
-    for (Index e = begin; e < end; ++e)
-      if (data.types[at(e)] != ElementType::polyhedron)
-        by_faces[at(e)] = is_sound_by_faces(data, e) ? 1 : 0;
-  });
-  const auto found = static_cast<Index>(std::ranges::count(by_faces, 1));
-  if (found == 0) return 0;
-  MeshData out = std::move(data);
-  std::vector<ElementType> types = std::exchange(out.types, {});
-  const std::vector<Index> nodes = std::exchange(out.element_nodes, {});
-  const std::vector<Index> offsets = std::exchange(out.element_offsets, {0});
-  const std::vector<Face> faces = std::exchange(out.faces, {});
-  const std::vector<Index> face_offsets = std::exchange(out.face_offsets, {});
-  const auto row = [](const auto& values, const std::vector<Index>& begin, std::size_t k) {
-    return std::span(values).subspan(at(begin[k]), at(begin[k + 1] - begin[k]));
-  };
-  std::vector<Face> own;
-  for (std::size_t e = 0; e < types.size(); ++e) {
-    const auto corners = row(nodes, offsets, e);
-    if (types[e] == ElementType::polyhedron) {
-      out.add_polyhedron(corners, row(faces, face_offsets, e));
-    } else if (by_faces[e] == 0) {
-      out.add_element(types[e], corners);
-    } else {
-      own.clear();
-      for (const Face& face : shape_of(types[e]).faces) own.push_back(by_nodes(face, corners));
-      out.add_polyhedron(corners, own);
-    }
-  }
-  data = std::move(out);
-  return found;
 }
 
 namespace {

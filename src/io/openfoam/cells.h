@@ -14,11 +14,6 @@ namespace winslow::io::openfoam {
 /// for a cell without faces.
 void add_cells(const Source& source, const PolyMesh& mesh, ParsedMesh& out);
 
-/// Makes polyhedra of the elements that are inverted, but sound by their faces, as finite volumes
-/// ask (PolyhedronShape, has_positive_jacobian()). snappyHexMesh makes such hexahedra where a
-/// corner comes to lie in a flat part of a wall. The coordinates must be set. Returns their number.
-Index give_faces_to_flat_cells(MeshData& data);
-
 /// Reads the file cellZones of a mesh (find_file()), if there is one, and makes a region of each
 /// zone that has cells. The mesh must have its cells already. A cell of several zones belongs to
 /// the first; a warning counts such cells. Throws InputError "cellZones:LINE: ..." for a list that

@@ -6,6 +6,7 @@
 
 #include "core/options/option.h"
 #include "core/types.h"
+#include "io/format/cell_of_faces.h"
 #include "io/format/mesh_in_space.h"
 
 namespace winslow::io::openfoam {
@@ -34,16 +35,6 @@ void add_inner_faces(const Topology& topology, NewMesh& list) {
     list.owner.push_back(face.owner);
     list.neighbour.push_back(face.neighbour);
   }
-}
-
-/// True if both faces have the same orientation.
-bool same_direction(const Face& a, const Face& b) {
-  const auto second = [](const Face& face, Index first) {
-    std::size_t k = 0;
-    while (k < face.size() && face[k] != first) ++k;
-    return face[(k + 1) % face.size()];
-  };
-  return second(a, a[0]) == second(b, a[0]);
 }
 
 /// Boundary faces by patches: for each marker its faces that no earlier marker has, then the faces

@@ -1,6 +1,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "io/format/cell_of_faces.h"
 #include "io/openfoam/cells.h"
 #include "io/openfoam/openfoam.h"
 
@@ -40,12 +41,7 @@ class Reader {
     out_.where.nodes = mesh().point_places;
     add_cells(source_, mesh(), out_);
     set_space_nodes(source_, mesh().xyz, out_);
-    // A mesh of elements alone keeps them: it is tangled.
-    const Index flat = out_.data.has_polyhedra() ? give_faces_to_flat_cells(out_.data) : 0;
-    if (flat > 0)
-      out_.warnings.push_back(std::to_string(flat) + (flat == 1 ? " cell is" : " cells are") +
-                              " inverted or flat at a corner and sound by the faces, as checkMesh "
-                              "sees them: taken as polyhedra, without the corners that are flat");
+    give_faces_to_flat_cells(out_);
     for (const Patch& patch : mesh().patches) {
       Marker& marker = add_marker(patch.name);
       for (std::int64_t f = patch.first; f < patch.first + patch.count; ++f) {

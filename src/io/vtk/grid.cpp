@@ -2,12 +2,15 @@
 
 #include <cstdlib>
 
+#include "io/format/cell_of_faces.h"
 #include "io/format/foreign_formats.h"
 #include "io/format/mesh_in_space.h"
+#include "io/vtk/face_stream.h"
 
 namespace winslow::io::vtk {
 
 CellType cell_type_of(const Face& face) {
+  if (face.size() > 4) return polygon;
   return face.size() == 2 ? line : face.size() == 3 ? triangle : quadrilateral;
 }
 
@@ -20,7 +23,7 @@ CellType cell_type_of(ElementType type) {
 int dimension_of_cell(std::int64_t type) {
   if (type == vertex || type == poly_vertex) return 0;
   if (type == line || type == poly_line) return 1;
-  return type >= tetrahedron && type <= pyramid ? 3 : 2;
+  return (type >= tetrahedron && type <= hexagonal_prism) || type == polyhedron ? 3 : 2;
 }
 
 std::optional<ElementType> element_of(std::int64_t type, std::size_t corners) {
@@ -36,6 +39,14 @@ void Grid::add_cell(CellType type, std::span<const Index> nodes) {
   types.push_back(type);
   connectivity.insert(connectivity.end(), nodes.begin(), nodes.end());
   offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+  if (!face_offsets.empty()) face_offsets.push_back(face_offsets.back());
+}
+
+void Grid::add_polyhedron(std::span<const Index> nodes, std::span<const Face> of_cell) {
+  if (face_offsets.empty()) face_offsets.assign(offsets.size(), 0);
+  add_cell(polyhedron, nodes);
+  append_face_stream(of_cell, faces);
+  face_offsets.back() = static_cast<std::int64_t>(faces.size());
 }
 
 namespace {
@@ -46,6 +57,31 @@ GroupIndex named_groups(const std::vector<NamedTag>& names, const char* prefix) 
     if (!groups.contains(tag)) groups.add(tag, name);
   }
   return groups;
+}
+
+std::vector<Index> sorted(std::vector<Index> nodes) {
+  std::ranges::sort(nodes);
+  return nodes;
+}
+
+/// The nodes of some faces, each once, ascending.
+std::vector<Index> distinct_nodes(const std::vector<Face>& faces) {
+  std::vector<Index> nodes;
+  for (const Face& face : faces) nodes.insert(nodes.end(), face.begin(), face.end());
+  sort_unique(nodes);
+  return nodes;
+}
+
+/// The faces of a prism over a polygon: its two ends, then its sides.
+std::vector<Face> faces_of_prism(const std::vector<Index>& nodes) {
+  const std::size_t n = nodes.size() / 2;
+  const auto ends = std::span(nodes);
+  std::vector<Face> faces{Face(ends.first(n)).reversed(), Face(ends.last(n))};
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t next = (k + 1) % n;
+    faces.emplace_back(nodes[k], nodes[next], nodes[n + next], nodes[n + k]);
+  }
+  return faces;
 }
 
 /// 3 if there is a volume cell, else 2.
@@ -69,6 +105,7 @@ class MeshBuilder {
     mesh_.where.nodes = grid_.point_places;
     for (std::size_t c = 0; c < grid_.cell_count(); ++c) add_cell(c);
     set_nodes(source_, grid_.points, mesh_);
+    give_faces_to_flat_cells(mesh_);
     finish_groups();
     keep_file();
     return std::move(mesh_);
@@ -76,16 +113,16 @@ class MeshBuilder {
 
  private:
   std::vector<Index> corners(std::size_t c) const {
-    const auto begin = grid_.offsets[c];
-    const auto end = grid_.offsets[c + 1];
+    return known_nodes(grid_.nodes(c), grid_.cell_places[c]);
+  }
+
+  std::vector<Index> known_nodes(std::span<const std::int64_t> given, std::size_t place) const {
     std::vector<Index> nodes;
-    nodes.reserve(static_cast<std::size_t>(end - begin));
+    nodes.reserve(given.size());
     const auto count = static_cast<std::int64_t>(grid_.points.size() / 3);
-    for (auto k = begin; k < end; ++k) {
-      const auto node = grid_.connectivity[static_cast<std::size_t>(k)];
+    for (const std::int64_t node : given) {
       if (node < 0 || node >= count) {
-        source_.fail(grid_.cell_places[c], "node " + std::to_string(node),
-                     "0 to " + std::to_string(count - 1));
+        source_.fail(place, "node " + std::to_string(node), "0 to " + std::to_string(count - 1));
       }
       nodes.push_back(static_cast<Index>(node));
     }
@@ -113,6 +150,13 @@ class MeshBuilder {
       for (std::size_t k = 1; k < nodes.size(); ++k) add_side(c, {nodes[k - 1], nodes[k]});
       return;
     }
+    if (type == polyhedron) return add_polyhedron(c, nodes, faces_of(c));
+    if (type == pentagonal_prism || type == hexagonal_prism) {
+      const std::size_t sides = type == pentagonal_prism ? 5 : 6;
+      require_size(c, nodes, 2 * sides);
+      return add_polyhedron(c, nodes, faces_of_prism(nodes));
+    }
+    if (type == polygon && dimension_ == 3 && nodes.size() > 4) return add_side(c, Face(nodes));
     const auto element = element_of(type, nodes.size());
     if (!element) refuse(c);
     require_size(c, nodes, static_cast<std::size_t>(corner_count(*element)));
@@ -125,15 +169,15 @@ class MeshBuilder {
 
   [[noreturn]] void refuse(std::size_t c) const {
     const auto type = grid_.types[c];
-    const bool other_solid = type == 15 || type == 16 || type == 41 || type == 42;
+    const bool other_solid = type == 41;
     const bool high_order = type >= 21 && type <= 81;
     source_.fail(grid_.cell_places[c],
                  "cell type " + std::to_string(type) +
-                     (other_solid  ? " (a polyhedron)"
+                     (other_solid  ? " (a convex set of points)"
                       : high_order ? " (second or higher order)"
                                    : ""),
                  std::string("a line (3), triangle (5), quadrilateral (9), tetrahedron (10), "
-                             "hexahedron (12), wedge (13) or pyramid (14)") +
+                             "hexahedron (12), wedge (13), pyramid (14) or polyhedron (42)") +
                      (high_order && !other_solid ? first_order_hint(source_.name()) : ""));
   }
 
@@ -151,6 +195,47 @@ class MeshBuilder {
 
   void add_element(std::size_t c, ElementType type, const std::vector<Index>& nodes) {
     mesh_.data.add_element(type, nodes);
+    place_element(c);
+  }
+
+  /// The faces of a polyhedron, by its face stream.
+  std::vector<Face> faces_of(std::size_t c) const {
+    const std::size_t place = place_of_faces(c);
+    const auto stream = grid_.face_stream(c);
+    std::vector<Face> faces;
+    const bool whole = for_each_face(stream, [&](std::span<const std::int64_t> nodes) {
+      if (nodes.size() < 3) {
+        source_.fail(place, "a face of " + std::to_string(nodes.size()) + " nodes in " + cell(c),
+                     "three or more");
+      }
+      faces.emplace_back(known_nodes(nodes, place));
+    });
+    if (!whole) refuse_face_stream(source_, place, c, stream.size());
+    return faces;
+  }
+
+  std::size_t place_of_faces(std::size_t c) const {
+    return grid_.face_places.empty() ? grid_.cell_places[c] : grid_.face_places[c];
+  }
+  static std::string cell(std::size_t c) { return "cell " + std::to_string(c) + ", a polyhedron"; }
+
+  /// Adds a cell by its faces. nodes: as the list of cells has them.
+  void add_polyhedron(std::size_t c, const std::vector<Index>& nodes, std::vector<Face> faces) {
+    try {
+      turned_ += make_faces_alike(faces) > 0 ? 1 : 0;
+    } catch (const FacesFault& fault) {
+      source_.fail(place_of_faces(c), fault.found + " in " + cell(c), fault.expected);
+    }
+    // Where the list of cells has other nodes than the faces, these count.
+    if (distinct_nodes(faces) == sorted(nodes))
+      mesh_.data.add_polyhedron(nodes, faces);
+    else
+      mesh_.data.add_polyhedron(faces);
+    place_element(c);
+  }
+
+  /// Sets where an element is in the file, and its region.
+  void place_element(std::size_t c) {
     mesh_.where.elements.push_back(grid_.cell_places[c]);
     const bool none = grid_.region.empty() || (grid_.zero_is_none && grid_.region[c] == 0);
     mesh_.data.element_region.push_back(none ? -1
@@ -161,6 +246,11 @@ class MeshBuilder {
     make_markers(markers_.all(), *details_, mesh_);
     mesh_.data.regions = regions_.all();
     if (mesh_.data.regions.empty()) mesh_.data.element_region.clear();
+    if (turned_ > 0) {
+      mesh_.warnings.push_back(
+          std::to_string(turned_) + (turned_ == 1 ? " polyhedron has" : " polyhedra have") +
+          " some faces seen from inside and others from outside: they were turned alike");
+    }
     if (loose_sides_ > 0) {
       mesh_.warnings.push_back(std::to_string(loose_sides_) +
                                (dimension_ == 2 ? " line" : " surface") +
@@ -175,6 +265,10 @@ class MeshBuilder {
     index_count(grid_.connectivity.size(), "corners of cells");
     kept.offsets.assign(grid_.offsets.begin(), grid_.offsets.end());
     kept.types.assign(grid_.types.begin(), grid_.types.end());
+    index_count(grid_.faces.size(), "nodes of faces of cells");
+    kept.faces.assign(grid_.faces.begin(), grid_.faces.end());
+    kept.face_offsets.assign(grid_.face_offsets.begin(), grid_.face_offsets.end());
+    kept.face_tables = std::move(grid_.face_tables);
     kept.list_types = grid_.list_types;
     kept.points_name = grid_.points_name;
     kept.data = std::move(grid_.data);
@@ -191,12 +285,28 @@ class MeshBuilder {
   GroupIndex markers_;
   GroupIndex regions_;
   Index loose_sides_ = 0;
+  Index turned_ = 0;  // polyhedra of which faces were turned
 };
 
 }  // namespace
 
 ParsedMesh to_mesh(const Source& source, Grid grid) {
   return MeshBuilder(source, std::move(grid)).build();
+}
+
+std::vector<Index> Details::nodes_of(std::size_t cell) const {
+  std::vector<Index> nodes;
+  if (types[cell] == polyhedron) {
+    for_each_face(
+        std::span(faces).subspan(at(face_offsets[cell]),
+                                 at(face_offsets[cell + 1] - face_offsets[cell])),
+        [&](std::span<const Index> face) { nodes.insert(nodes.end(), face.begin(), face.end()); });
+    sort_unique(nodes);
+    return nodes;
+  }
+  nodes.assign(connectivity.begin() + offsets[cell], connectivity.begin() + offsets[cell + 1]);
+  std::ranges::sort(nodes);
+  return nodes;
 }
 
 bool Details::fits(const Mesh& mesh) const {
@@ -213,13 +323,10 @@ bool Details::fits(const Mesh& mesh) const {
   Index element = 0;
   for (std::size_t c = 0; c < types.size(); ++c) {
     if (dimension_of_cell(types[c]) != topology.cell_dimension()) continue;
-    const auto begin = connectivity.begin() + offsets[c],
-               end = connectivity.begin() + offsets[c + 1];
-    of_file.assign(begin, end);
+    of_file = nodes_of(c);
     if (element == topology.element_count()) return false;
     const auto corners = topology.element(element++);
     of_mesh.assign(corners.begin(), corners.end());
-    std::ranges::sort(of_file);
     std::ranges::sort(of_mesh);
     if (of_file != of_mesh) return false;
   }
@@ -249,6 +356,9 @@ class GridBuilder {
     grid_.connectivity.assign(details.connectivity.begin(), details.connectivity.end());
     grid_.offsets.assign(details.offsets.begin(), details.offsets.end());
     grid_.types.assign(details.types.begin(), details.types.end());
+    grid_.faces.assign(details.faces.begin(), details.faces.end());
+    grid_.face_offsets.assign(details.face_offsets.begin(), details.face_offsets.end());
+    grid_.face_tables = details.face_tables;
     grid_.data = details.data;
     grid_.list_types = details.list_types;
     grid_.points_name = details.points_name;
@@ -279,9 +389,16 @@ class GridBuilder {
     const auto of = topology_.element_regions();
     const Index region = of.empty() ? -1 : of[static_cast<std::size_t>(e)];
     const ElementType type = topology_.element_type(e);
-    FileCorners corners = space_.element(e);
-    if (type == ElementType::prism) mirror_prism(corners.nodes);
-    grid_.add_cell(cell_type_of(type), {corners.data(), corners.size()});
+    if (type == ElementType::polyhedron) {
+      const auto corners = topology_.element(e);
+      std::vector<Face> faces;
+      for (const Face& face : topology_.shape(e).faces) faces.push_back(by_nodes(face, corners));
+      grid_.add_polyhedron(corners, faces);
+    } else {
+      FileCorners corners = space_.element(e);
+      if (type == ElementType::prism) mirror_prism(corners.nodes);
+      grid_.add_cell(cell_type_of(type), {corners.data(), corners.size()});
+    }
     grid_.marker.push_back(0);
     grid_.region.push_back(region < 0 ? 0 : regions_[static_cast<std::size_t>(region)]);
   }

@@ -27,7 +27,10 @@ enum CellType : std::uint8_t {
   voxel = 11,
   hexahedron = 12,
   wedge = 13,
-  pyramid = 14
+  pyramid = 14,
+  pentagonal_prism = 15,
+  hexagonal_prism = 16,
+  polyhedron = 42
 };
 /// The cell type of a marker's face.
 CellType cell_type_of(const Face& face);
@@ -40,6 +43,8 @@ struct CellListTypes {
   ValueType connectivity{ValueKind::signed_integer, 8};
   ValueType offsets{ValueKind::signed_integer, 8};
   ValueType types{ValueKind::unsigned_integer, 1};
+  ValueType faces{ValueKind::signed_integer, 8};
+  ValueType face_offsets{ValueKind::signed_integer, 8};
 };
 
 /// The content of both file formats: a list of cells.
@@ -48,6 +53,11 @@ struct Grid {
   std::vector<std::int64_t> connectivity;
   std::vector<std::int64_t> offsets{0};  ///< #cells + 1, into connectivity
   std::vector<std::int64_t> types;       ///< #cells
+  /// The face streams of polyhedra: the number of faces, then of each the number of nodes and the
+  /// nodes. face_offsets: #cells + 1, into faces; empty: there are no polyhedra.
+  std::vector<std::int64_t> faces = {}, face_offsets = {};
+  /// Faces as files of VTK 9.4 hold them, to be written again; empty: as face streams.
+  std::vector<DataArray> face_tables = {};
   DataArrays data;
   CellListTypes list_types;
   std::string points_name = "Points";
@@ -62,21 +72,41 @@ struct Grid {
 
   std::vector<std::size_t> point_places;  ///< byte offset of each point in the file
   std::vector<std::size_t> cell_places;
+  std::vector<std::size_t> face_places = {};  ///< of the faces of each cell; empty: cell_places
 
   std::size_t cell_count() const { return types.size(); }
+  std::span<const std::int64_t> nodes(std::size_t cell) const {
+    return row(connectivity, offsets, cell);
+  }
+  /// Empty for a cell that is no polyhedron.
+  std::span<const std::int64_t> face_stream(std::size_t cell) const {
+    return face_offsets.empty() ? std::span<const std::int64_t>() : row(faces, face_offsets, cell);
+  }
   void add_cell(CellType type, std::span<const Index> nodes);
+  void add_polyhedron(std::span<const Index> nodes, std::span<const Face> of_cell);
+
+ private:
+  static std::span<const std::int64_t> row(const std::vector<std::int64_t>& values,
+                                           const std::vector<std::int64_t>& offsets,
+                                           std::size_t k) {
+    return {values.data() + offsets[k], static_cast<std::size_t>(offsets[k + 1] - offsets[k])};
+  }
 };
 
 /// Details of a VTK file: its cells and arrays as they were read.
 struct Details : BoundaryDetails {
   std::vector<Index> connectivity, offsets;
   std::vector<std::uint8_t> types;
+  std::vector<Index> faces, face_offsets;
+  std::vector<DataArray> face_tables;
   CellListTypes list_types;
   std::string points_name;
   DataArrays data;
   std::vector<Region> markers, regions;  ///< names and tags
 
   std::string data_names() const override { return data.names(); }
+  /// The nodes of a cell, ascending; of a polyhedron, those of its faces.
+  std::vector<Index> nodes_of(std::size_t cell) const;
   /// As BoundaryDetails::fits(); also the nodes of all elements and all names are the same.
   bool fits(const Mesh& mesh) const;
 };
@@ -100,6 +130,10 @@ Grid to_grid(const Mesh& mesh, const FormatDetails* source, std::vector<std::str
 /// Writes a legacy file of version 3.0; see MeshFormat::write.
 std::vector<std::string> write_legacy(std::ostream& out, const Mesh& mesh,
                                       const FormatDetails* source, const WriteOptions& options);
+
+/// Takes the faces of polyhedra out of the cells of a legacy file, of which each polyhedron lists
+/// its face stream instead of its nodes. Throws InputError for a list that is none.
+void split_face_streams(const Source& source, Grid& grid);
 
 /// Legacy VTK files: unstructured grids and polygon data, versions 1 to 5, ASCII and binary. Writes
 /// version 3.0, which every reader understands.

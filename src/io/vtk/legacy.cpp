@@ -462,6 +462,7 @@ class LegacyReader {
                    std::to_string(grid_.types.size()) + " cell types",
                    std::to_string(cell_count()) + ", one for each cell");
     }
+    split_face_streams(source_, grid_);
   }
 
   enum class Place { file, points, cells };
@@ -492,6 +493,7 @@ const MeshFormat legacy_format{
     .versions = "legacy, versions 1 to 5 (written as 3.0)",
     .encodings = "text, binary",
     .markers = "yes, see below",
+    .polyhedra = true,
     .keeps_data = true,
     .has_binary = true,
     .recognise =

@@ -45,15 +45,21 @@ class ArrayWriter {
   bool binary_;
 };
 
+/// What the list of cells says of a cell: its nodes, of a polyhedron its face stream.
+std::span<const std::int64_t> listed(const Grid& grid, std::size_t cell) {
+  return grid.types[cell] == polyhedron ? grid.face_stream(cell) : grid.nodes(cell);
+}
+
 void write_cells(TextWriter& out, ArrayWriter& array, const Grid& grid) {
-  out << "CELLS " << grid.cell_count() << ' ' << grid.cell_count() + grid.connectivity.size()
+  std::size_t size = grid.cell_count();
+  for (std::size_t c = 0; c < grid.cell_count(); ++c) size += listed(grid, c).size();
+  out << "CELLS " << grid.cell_count() << ' ' << index_count(size, "numbers in a list of cells")
       << '\n';
   for (std::size_t c = 0; c < grid.cell_count(); ++c) {
-    const auto begin = static_cast<std::size_t>(grid.offsets[c]);
-    const auto end = static_cast<std::size_t>(grid.offsets[c + 1]);
-    array.put(static_cast<std::int32_t>(end - begin), ' ');
-    for (std::size_t k = begin; k < end; ++k) {
-      array.put(static_cast<std::int32_t>(grid.connectivity[k]), k + 1 == end ? '\n' : ' ');
+    const auto numbers = listed(grid, c);
+    array.put(static_cast<std::int32_t>(numbers.size()), ' ');
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      array.put(static_cast<std::int32_t>(numbers[k]), k + 1 == numbers.size() ? '\n' : ' ');
     }
   }
   array.end();

@@ -3,6 +3,7 @@
 #include "io/format/foreign_formats.h"
 #include "io/text/numbers.h"
 #include "io/text/source.h"
+#include "io/vtk/face_stream.h"
 #include "io/vtk/grid.h"
 #include "io/vtk/vtu_arrays.h"
 
@@ -170,6 +171,7 @@ class VtuReader {
       source_.fail(arrays.place(cells), std::to_string(size) + " numbers in the connectivity",
                    std::to_string(grid_.offsets.back()) + ", the last offset");
     }
+    read_faces(source_, arrays, cells, grid_);
   }
 
   /// Reads the arrays below an element. tuples: as in VtuArrays::data_array().
@@ -264,8 +266,10 @@ class Writer {
       : out_(stream), grid_(grid), binary_(binary) {}
 
   void write() {
-    out_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-            "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+    // Only files of version 2.3 have the faces of polyhedra in four arrays.
+    out_ << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\""
+         << (grid_.face_tables.empty() ? "1.0" : "2.3")
+         << "\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
     if (!grid_.data.field.empty()) write_list("FieldData", {}, grid_.data.field);
     out_ << "<Piece NumberOfPoints=\"" << grid_.points.size() / 3 << "\" NumberOfCells=\""
          << grid_.cell_count() << "\">\n<Points>\n";
@@ -276,6 +280,10 @@ class Writer {
     write_array(array_of("connectivity", types.connectivity, Integers(grid_.connectivity)), 12);
     write_array(array_of("offsets", types.offsets, Integers(grid_.offsets).subspan(1)), 12);
     write_array(array_of("types", types.types, Integers(grid_.types)), 24);
+    if (!grid_.face_tables.empty())
+      for (const DataArray& table : grid_.face_tables) write_array(table, 12);
+    else if (!grid_.face_offsets.empty())
+      write_faces();
     out_ << "</Cells>\n";
     if (!grid_.data.points.empty())
       write_list("PointData", grid_.data.point_attributes, grid_.data.points);
@@ -293,6 +301,15 @@ class Writer {
                                std::span<const double>(grid_.points));
     array.components = 3;
     write_array(array, 3);
+  }
+
+  void write_faces() {
+    std::vector<std::int64_t> ends;
+    for (std::size_t c = 0; c < grid_.cell_count(); ++c)
+      ends.push_back(grid_.types[c] == polyhedron ? grid_.face_offsets[c + 1] : -1);
+    using Integers = std::span<const std::int64_t>;
+    write_array(array_of("faces", grid_.list_types.faces, Integers(grid_.faces)), 12);
+    write_array(array_of("faceoffsets", grid_.list_types.face_offsets, Integers(ends)), 12);
   }
 
   void write_list(const char* element, const Attributes& attributes,
@@ -377,6 +394,7 @@ const MeshFormat vtu_format{
     .encodings =
         "text, inline base64, appended raw and base64, zlib, LZ4 (written as text or appended raw)",
     .markers = "yes, see below",
+    .polyhedra = true,
     .keeps_data = true,
     .has_binary = true,
     .recognise =

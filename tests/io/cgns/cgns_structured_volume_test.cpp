@@ -2,6 +2,8 @@
 
 #include "core/quality/quality.h"
 #include "io/cgns/polyhedra_file.h"
+#include "io/support/mutations.h"
+#include "io/support/polyhedra_samples.h"
 #include "support/paths.h"
 
 namespace winslow::test {
@@ -259,10 +261,17 @@ TEST_CASE("CGNS: damaged numbers of structured zones and polyhedra give a mesh o
     write_polyhedra(file, data, false);
   }
   write_parents(folder / "2.cgns", data, Polyhedra(data).parents(1), CG_FILE_ADF);
-  for (const char* name : {"0.cgns", "1.cgns", "2.cgns"}) {
+  const MeshData prisms = stacked_prisms(5);
+  {
+    LibraryFile file(folder / "3.cgns", CG_FILE_ADF, 3, 3);
+    write_places(file, prisms);
+    write_polyhedra(file, prisms, false);
+  }
+  write_parents(folder / "4.cgns", prisms, Polyhedra(prisms).parents(1), CG_FILE_ADF);
+  for (const char* name : {"0.cgns", "1.cgns", "2.cgns", "3.cgns", "4.cgns"}) {
     const io::cgns::NodePtr root = tree_of(folder / name).root;
     int meshes = 0, refused = 0;
-    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    for (std::uint64_t seed = 0; seed < mutation_count(300); ++seed) {
       CAPTURE(name);
       CAPTURE(seed);
       Random random(seed);

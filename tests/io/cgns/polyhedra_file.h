@@ -29,8 +29,7 @@ struct Polyhedra {
     std::map<Face, cgsize_t> numbers;
     for (Index e = 0; e < data.element_count(); ++e) {
       cells.emplace_back();
-      for (const Face& side : shape_of(data.types[at(e)]).faces) {
-        const Face face = by_nodes(side, data.element(e));
+      for (const Face& face : faces_of(data, e)) {
         const auto [found, added] =
             numbers.emplace(face.sorted(), static_cast<cgsize_t>(faces.size()) + 1);
         if (added) faces.push_back(face);

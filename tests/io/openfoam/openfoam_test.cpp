@@ -305,12 +305,6 @@ TEST_CASE("OpenFOAM: split hexahedra come back as they were, and move with their
   }
   CHECK(read_text(first / "points") != read_text(second / "points"));
   CHECK(io::read_mesh(second).mesh.coordinates == moved.coordinates);
-  for (const char* name : {"a.su2", "a.msh", "a.mesh", "a.vtk", "a.cgns", "a.b8.ugrid", "a.stl"}) {
-    CAPTURE(name);
-    CHECK_THROWS_WITH_AS(io::write_mesh(folder / name, file.mesh, nullptr),
-                         doctest::Contains("polyhedra of this mesh of"), UsageError);
-    CHECK_FALSE(fs::exists(folder / name));
-  }
 }
 
 TEST_CASE("OpenFOAM: a hexahedron with a corner in a flat wall is a polyhedron among polyhedra") {

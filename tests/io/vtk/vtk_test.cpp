@@ -401,8 +401,8 @@ TEST_CASE("VTK of volumes: bad input is refused with file and line") {
     return input_error("a.vtk", replaced(solid_cells, part, by));
   };
   CHECK(error("CELL_TYPES 5\n11", "CELL_TYPES 5\n42") ==
-        "a.vtk:17: found cell type 42 (a polyhedron), expected a line (3), triangle (5), "
-        "quadrilateral (9), tetrahedron (10), hexahedron (12), wedge (13) or pyramid (14)");
+        "a.vtk:17: found 8 numbers for the faces of cell 0, a polyhedron, that do not fit each "
+        "other, expected the number of its faces, then of each the number of nodes and the nodes");
   CHECK_CONTAINS(error("11\n13", "11\n14"), "a.vtk:18: found 6 nodes in a cell of type 14");
   CHECK_CONTAINS(error("11\n13", "12\n13"), "a.vtk:");
   CHECK_CONTAINS(error("3 1 3 8", "3 1 4 8"), "a.vtk:20: ");
