@@ -41,10 +41,10 @@ struct FacesFault {
 Index make_faces_alike(std::vector<Face>& faces, Index first_node = 0);
 
 /// Makes polyhedra of the elements that are inverted or flat at a corner (has_flat_corner()), but
-/// sound by their faces, as finite volumes ask (has_positive_jacobian()). snappyHexMesh makes such hexahedra where a
-/// corner comes to lie in a flat part of a wall. A warning counts them. A mesh without polyhedra
-/// stays as it is: if its elements are inverted, it is tangled. The coordinates must be set, and
-/// the elements have nodes of the mesh.
+/// sound by their faces, as finite volumes ask (has_positive_jacobian()). snappyHexMesh makes such
+/// hexahedra where a corner comes to lie in a flat part of a wall. A warning counts them. A mesh
+/// without polyhedra stays as it is: if its elements are inverted, it is tangled. The coordinates
+/// must be set, and the elements have nodes of the mesh.
 void give_faces_to_flat_cells(ParsedMesh& mesh);
 
 /// True if two faces with the same nodes go round in the same direction.
