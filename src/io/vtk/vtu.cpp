@@ -377,6 +377,7 @@ const MeshFormat vtu_format{
     .encodings =
         "text, inline base64, appended raw and base64, zlib, LZ4 (written as text or appended raw)",
     .markers = "yes, see below",
+    .polygons = true,
     .keeps_data = true,
     .has_binary = true,
     .recognise =
