@@ -1,6 +1,8 @@
 #include "core/mesh/polygon.h"
 
 #include <cmath>
+#include <numeric>
+#include <optional>
 
 namespace winslow {
 

@@ -16,14 +16,18 @@ void two_edge_functionals(NeighbourFunctionals& first, NeighbourFunctionals& sec
   second = {-0.5, 0, 0, 0, 1};
 }
 
-/// Two edges of the VCV that lie on one line with the node between them.
+/// Two edges of the VCV that lie on one line with the node between them; none if there is no such
+/// pair, or if another triangle has no area.
 std::optional<std::size_t> straight_part(std::span<const Vec2> points) {
   constexpr double round_off = 1e-9;
+  std::optional<std::size_t> found;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Vec2 &p = points[k], &q = points[(k + 1) % points.size()];
-    if (p.dot(q) < 0 && std::abs(cross(p, q)) <= round_off * p.norm() * q.norm()) return k;
+    if (cross(p, q) > round_off * p.norm() * q.norm()) continue;
+    if (found || !(p.dot(q) < 0)) return std::nullopt;
+    found = k;
   }
-  return std::nullopt;
+  return found;
 }
 
 }  // namespace

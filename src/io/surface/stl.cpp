@@ -271,7 +271,7 @@ void write_solid(TextWriter& out, const WrittenSurface& surface, const Solid& so
   const std::string name = within_line(solid.name);
   out << "solid " << name << '\n';
   for (const std::size_t f : solid.faces) {
-    for_each_facet(surface.faces()[f], [&](Index a, Index b, Index c) {
+    for_each_facet(surface, surface.faces()[f], [&](Index a, Index b, Index c) {
       const Vec3 n = facet_normal(surface, a, b, c);
       out << "facet normal " << n.x() << ' ' << n.y() << ' ' << n.z() << "\nouter loop\n";
       for (const Index node : {a, b, c}) {
