@@ -93,7 +93,8 @@ inline MeshData dual_of(const Mesh& mesh) {
     data.add_element(ElementType::polygon, corners);
   }
   for (const Marker& marker : topology.markers()) {
-    Marker& own = data.markers.emplace_back(marker.name, marker.tag, std::vector<Face>());
+    data.markers.push_back({marker.name, marker.tag, {}});
+    Marker& own = data.markers.back();
     for (const Face& face : marker.faces) {
       const auto [a, b] = face.edge();
       own.faces.emplace_back(of_node.at(a), middle(a, b));

@@ -1,7 +1,9 @@
 #include <doctest/doctest.h>
 
+#include "io/format/mesh_format.h"
 #include "io/support/mutations.h"
 #include "io/support/samples.h"
+#include "io/surface/surface.h"
 #include "support/polygon_meshes.h"
 
 namespace winslow::test {
