@@ -19,7 +19,13 @@ Mesh dual_mesh() {
   Mesh mesh = make_mesh(square_with_hole(10, Cells::triangles));
   Random random(17);
   perturb(mesh, random, 0.2);
-  return make_mesh(dual_of(mesh));
+  MeshData data = dual_of(mesh);
+  const auto shapes = Topology::build(data);
+  // As readers have it.
+  for (Index e = 0; e < data.element_count(); ++e)
+    if (data.element(e).size() == 4 && shapes->shape(e).real_corners == 4)
+      data.types[at(e)] = ElementType::quadrilateral;
+  return make_mesh(data);
 }
 
 /// Triangles with a hanging node, a pentagon and a square: what a face with four corners is, only
