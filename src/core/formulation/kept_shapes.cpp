@@ -1,5 +1,6 @@
 #include "core/formulation/kept_shapes.h"
 
+#include "core/mesh/polygon.h"
 #include "core/mesh/polyhedron.h"
 
 namespace winslow {
@@ -33,14 +34,11 @@ double inverse_limit(double distortion) {
 
 }  // namespace
 
-KeptTerms<2> kept_terms(ElementType type, const TargetMetric& regular, const TargetMetric& own,
-                        double weight) {
+KeptTerms<2> kept_terms(const ElementShape& shape, const TargetMetric& regular,
+                        const TargetMetric& own, double weight) {
   const TargetMetric straight = with_lengths_of(own, regular);
   const double distortion = std::cosh(stretch_between(straight, own));
-  // Area of the square over that of the regular triangle with the same edges.
-  constexpr double square = 4 / 1.73205080756887729;
-  const double triangles = type == ElementType::quadrilateral ? square : 1;
-  weight *= triangles * weight_by_stretch(stretch_between(regular, own));
+  weight *= regular_area(shape) * weight_by_stretch(stretch_between(regular, own));
   return {own.term(weight), straight.term(weight * guard_weight(distortion)),
           inverse_limit(distortion)};
 }

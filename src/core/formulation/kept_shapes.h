@@ -38,8 +38,8 @@ struct KeptTerms {
 
 /// regular, own: metrics of the corner of the regular element, and of the element in the reference
 /// mesh. weight: of the cell for a regular simplex; the type and the stretch increase it.
-KeptTerms<2> kept_terms(ElementType type, const TargetMetric& regular, const TargetMetric& own,
-                        double weight);
+KeptTerms<2> kept_terms(const ElementShape& shape, const TargetMetric& regular,
+                        const TargetMetric& own, double weight);
 KeptTerms<3> kept_terms(const ElementShape& shape, const Eigen::Matrix3d& regular,
                         const Eigen::Matrix3d& own, double weight);
 

@@ -49,6 +49,23 @@ double face_stretch(std::span<const Index> nodes, const Coordinates& coordinates
   return 0.5 * stretch_between(TargetMetric::of_angle(pi / 2), TargetMetric::of(p, q));
 }
 
+/// The same for a polygon: the mean over its corners.
+double polygon_stretch(const ElementShape& shape, std::span<const Index> nodes,
+                       const Coordinates& x) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t k = 0; k < shape.corner_triangles.size(); ++k) {
+    const auto [a, b, c] = shape.corner_triangles[k];
+    const Vec2 p = x.xy(nodes[at(a)]), u = x.xy(nodes[at(b)]) - p, v = x.xy(nodes[at(c)]) - p;
+    if (!(cross(u, v) > 0)) return inverted;
+    const auto regular = regular_metric_of_face(shape, k);
+    if (!regular) continue;
+    sum += 0.5 * stretch_between(*regular, TargetMetric::of(u, v));
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
 /// The edges of a corner from its first node.
 Edges3 edges_of(const std::array<Index, 4>& corner, const SpacePoints& x) {
   Edges3 edges;
@@ -136,7 +153,9 @@ class Field {
     for_each_element([&](Index e) {
       const auto nodes = topology_.element(e);
       const Vec3 normal = normals.empty() ? Vec3::UnitZ() : normals[at(e)];
-      if (topology_.cell_dimension() == 2)
+      if (topology_.element_type(e) == ElementType::polygon)
+        stretch_[at(e)] = polygon_stretch(topology_.shape(e), nodes, given);
+      else if (topology_.cell_dimension() == 2)
         stretch_[at(e)] = face_stretch(nodes, given, normal);
       else
         set_cell_stretch(e);

@@ -1,6 +1,7 @@
 #include "core/formulation/target_metric.h"
 
 #include "core/mesh/element_type.h"
+#include "core/mesh/polygon.h"
 #include "core/mesh/polyhedron.h"
 
 namespace winslow {
@@ -26,6 +27,15 @@ auto make_all(Tetrahedra (*tetrahedra)(ElementType)) {
 }
 
 }  // namespace
+
+std::optional<TargetMetric> regular_metric_of_face(const ElementShape& shape,
+                                                   std::size_t triangle) {
+  if (shape.type != ElementType::polygon) return TargetMetric::of_angle(regular_angle(shape));
+  if (triangle >= shape.side_edges.size()) return std::nullopt;
+  const double angle = regular_angle(shape);
+  const auto [next, previous] = shape.side_edges[triangle];
+  return TargetMetric::of<2>(Vec2(1, 0) / next, Vec2(std::cos(angle), std::sin(angle)) / previous);
+}
 
 const std::vector<Eigen::Matrix3d>& regular_metrics(ElementType type) {
   static const auto lists = make_all(corner_tetrahedra);

@@ -105,6 +105,11 @@ inline Eigen::Matrix3d metric_of(const VolumeTerm& t) {
   return a;
 }
 
+/// The metric of a corner of a plane element if it were regular, a polygon with its flat corners
+/// evenly along its sides. triangle: index into ElementShape::corner_triangles. None of a triangle
+/// at a flat corner.
+std::optional<TargetMetric> regular_metric_of_face(const ElementShape& shape, std::size_t triangle);
+
 /// Metrics of the corners of the regular element, in the order of corner_tetrahedra().
 const std::vector<Eigen::Matrix3d>& regular_metrics(ElementType type);
 /// The metric of a corner of a volume element if it were regular; none of a corner of a polyhedron

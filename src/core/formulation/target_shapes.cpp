@@ -1,7 +1,7 @@
 #include "core/formulation/target_shapes.h"
 
 #include "core/formulation/target_builder.h"
-#include "core/mesh/element_type.h"
+#include "core/mesh/polygon.h"
 #include "core/quality/metric.h"
 
 namespace winslow {
@@ -29,7 +29,7 @@ class FaceTargets : TargetBuilder {
       if (topology_.element_type(e) == ElementType::triangle) {
         add_triangle(e);
       } else {
-        add_quadrilateral(e);
+        add_corners(e);
       }
     }
     return std::move(shapes_);
@@ -40,13 +40,25 @@ class FaceTargets : TargetBuilder {
     const std::size_t n = element.size();
     return {element[k], element[(k + 1) % n], element[(k + n - 1) % n]};
   }
+  static std::array<Index, 3> by_nodes(const std::array<Index, 3>& triangle,
+                                       std::span<const Index> element) {
+    return {element[at(triangle[0])], element[at(triangle[1])], element[at(triangle[2])]};
+  }
 
   /// Whether no corner of an element is inverted in the mesh as given.
   bool has_shape(Index e) const {
-    const auto element = topology_.element(e);
-    for (std::size_t k = 0; k < element.size(); ++k)
-      if (!own_metric(corner_nodes(element, k), e)) return false;
-    return true;
+    return std::ranges::all_of(topology_.shape(e).corner_triangles, [&](const auto& triangle) {
+      return own_metric(by_nodes(triangle, topology_.element(e)), e).has_value();
+    });
+  }
+
+  /// The corner of the regular element. That of a polygon at a flat corner is its own, if the blend
+  /// refers to a mesh, or else a right angle.
+  TargetMetric regular_corner(Index e, std::size_t triangle,
+                              const std::array<Index, 3>& nodes) const {
+    if (const auto known = regular_metric_of_face(topology_.shape(e), triangle)) return *known;
+    const auto own = given_ ? own_metric(nodes, e) : std::nullopt;
+    return own.value_or(TargetMetric::of_angle(pi / 2));
   }
 
   /// The shares at a corner: an edited VCV replaces the element's own shape.
@@ -81,8 +93,7 @@ class FaceTargets : TargetBuilder {
   /// StretchField, times their shares.
   void add_regular(TargetMetric& metric, const TargetBlend& blend,
                    const std::array<Index, 3>& nodes, std::size_t corner, Index e) const {
-    const double angle = topology_.element_type(e) == ElementType::triangle ? pi / 3 : pi / 2;
-    const TargetMetric regular = TargetMetric::of_angle(angle);
+    const TargetMetric regular = regular_corner(e, corner, nodes);
     metric.add(blend.element, regular);
     if (blend.automatic == 0) return;
     const auto own = own_metric(nodes, e);
@@ -91,6 +102,8 @@ class FaceTargets : TargetBuilder {
 
   TargetMetric automatic(Index e, std::size_t corner, const TargetMetric& regular,
                          const TargetMetric& own) const {
+    // Cells around split ones, and those of a dual mesh, have no shape that is regular.
+    if (topology_.element_type(e) == ElementType::polygon) return own;
     const double share = own_share(e, 0.5 * stretch_between(regular, own));
     const auto sides = box(e);
     if (!sides) return between(regular, own, share);
@@ -102,9 +115,8 @@ class FaceTargets : TargetBuilder {
   /// Adds the VCV metric of the corner at a free node, times the share. A VCV of two edges has
   /// straight angles, which are unsuitable as a target: the element's own target replaces it.
   void add_vcv(TargetMetric& metric, Index e, Index node) const {
-    const double ideal = topology_.element_type(e) == ElementType::triangle ? pi / 3 : pi / 2;
     if (topology_.neighbours(node).size() == 2) {
-      metric.add(blend_at(node).vcv, TargetMetric::of_angle(ideal));
+      metric.add(blend_at(node).vcv, TargetMetric::of_angle(regular_angle(topology_.shape(e))));
     } else {
       const auto [first, second] = vcv_edges(e, node);
       metric.add(blend_at(node).vcv, TargetMetric::of(first, second));
@@ -155,7 +167,7 @@ class FaceTargets : TargetBuilder {
     if (!movable(first)) return;
     shapes_.cells.push_back(first);
     if (keeps()) {
-      add_kept(e, first, pi / 3, 1);
+      add_kept(e, first, TargetMetric::of_angle(pi / 3), 1);
     } else if (blend_.vcv > 0 || (any_edited(element) && heeds_vcvs(e))) {
       add_vcv_terms(e);
     } else {
@@ -176,10 +188,10 @@ class FaceTargets : TargetBuilder {
   }
 
   /// Adds the terms of a corner under `keep`. part: share of the element's weight.
-  void add_kept(Index e, const std::array<Index, 3>& nodes, double angle, double part) {
-    const TargetMetric regular = TargetMetric::of_angle(angle);
+  void add_kept(Index e, const std::array<Index, 3>& nodes, const TargetMetric& regular,
+                double part) {
     const TargetMetric own = own_or(regular, nodes, e);
-    append(shapes_, kept_terms(topology_.element_type(e), regular, own, part * weight_of(e)));
+    append(shapes_, kept_terms(topology_.shape(e), regular, own, part * weight_of(e)));
   }
 
   /// The part of a triangle's target without VCVs, over its edges at corner 0.
@@ -229,34 +241,40 @@ class FaceTargets : TargetBuilder {
     return {ac + ab, -ab, bc + ab};
   }
 
-  void add_quadrilateral(Index e) {
+  /// Adds the terms of the corners of a quadrilateral or a polygon.
+  void add_corners(Index e) {
     const auto element = topology_.element(e);
-    std::array<bool, 4> live{};
+    const ElementShape& shape = topology_.shape(e);
+    const bool quadrilateral = shape.type == ElementType::quadrilateral;
+    const auto triangles = shape.corner_triangles;
+    live_.assign(triangles.size(), 0);
     int count = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      live[k] = movable(corner_nodes(element, k));
-      count += live[k] ? 1 : 0;
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+      live_[k] = movable(by_nodes(triangles[k], element)) ? 1 : 0;
+      count += live_[k];
     }
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (!live[k]) continue;
-      const auto nodes = corner_nodes(element, k);
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+      if (live_[k] == 0) continue;
+      const auto nodes = by_nodes(triangles[k], element);
       if (keeps() && !spaced_by_vcvs(e)) {
         shapes_.cells.push_back(nodes);
-        add_kept(e, nodes, pi / 2, 1.0 / count);
+        add_kept(e, nodes, regular_corner(e, k, nodes), 1.0 / count);
         shapes_.end_cell();
         continue;
       }
       const bool own = !heeds_vcvs(e);
-      const bool follows = !own && topology_.on_boundary(nodes[0]) && any_edited(element);
+      const bool follows =
+          quadrilateral && !own && topology_.on_boundary(nodes[0]) && any_edited(element);
       const TargetBlend& blend = own ? blend_ : follows ? edited_blend_ : blend_at(nodes[0]);
       TargetMetric metric;
       add_regular(metric, blend, nodes, k, e);
-      if (blend.keep > 0) metric.add(blend.keep, own_or(TargetMetric::of_angle(pi / 2), nodes, e));
+      if (blend.keep > 0) metric.add(blend.keep, own_or(regular_corner(e, k, nodes), nodes, e));
       if (follows) {
         add_parallelogram(metric, e, k);
       } else if (blend.vcv > 0) {
-        if (topology_.on_boundary(nodes[0])) {
-          metric.add(blend.vcv, TargetMetric::of_angle(pi / 2));  // boundary nodes have no VCV
+        // Boundary nodes have no VCV, and flat corners no angle in one.
+        if (topology_.on_boundary(nodes[0]) || k >= at(shape.real_corners)) {
+          metric.add(blend.vcv, regular_corner(e, k, nodes));
         } else {
           add_vcv(metric, e, nodes[0]);
         }
@@ -274,6 +292,7 @@ class FaceTargets : TargetBuilder {
   TargetBlend edited_blend_;  // at nodes whose VCVs were edited
   const Coordinates* given_;
   std::span<const Vec3> normals_;  // of the elements of a surface mesh
+  std::vector<int> live_;          // work memory: whether a corner has a node that moves
   TargetShapes shapes_;
 };
 

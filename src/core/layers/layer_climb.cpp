@@ -139,6 +139,7 @@ std::vector<StripStep> steps_above(const Topology& topology, OpenMesh::HalfedgeH
   if (topology.element_type(first) == ElementType::quadrilateral) {
     return {{to(second_side), from(second_side), {first, -1}, opposite(second_side)}};
   }
+  if (topology.element_type(first) != ElementType::triangle) return {};
   std::vector<StripStep> steps;
   // The diagonal is the right side of the triangle (its apex lies in the left column) or the left.
   for (const bool right : {true, false}) {
@@ -243,7 +244,8 @@ class Climb {
     const auto star = topology_.star(node);
     if (star.size() < 3 || !quad(star.front()) || !quad(star.back())) return {};
     std::vector<Index> triangles(star.rbegin() + 1, star.rend() - 1);
-    if (std::any_of(triangles.begin(), triangles.end(), [&](Index e) { return quad(e); }))
+    if (std::ranges::any_of(
+            triangles, [&](Index e) { return topology_.element_type(e) != ElementType::triangle; }))
       return {};
     return triangles;
   }

@@ -104,8 +104,11 @@ class Inserter {
   }
 
   void add_element(std::span<const Index> corners, Index region) {
-    data_.add_element(corners.size() == 3 ? ElementType::triangle : ElementType::quadrilateral,
-                      corners);
+    add_element(corners.size() == 3 ? ElementType::triangle : ElementType::quadrilateral, corners,
+                region);
+  }
+  void add_element(ElementType type, std::span<const Index> corners, Index region) {
+    data_.add_element(type, corners);
     if (!topology_.element_regions().empty()) data_.element_region.push_back(region);
   }
   Index region_of(Index element) const {
@@ -117,7 +120,7 @@ class Inserter {
     for (Index e = 0; e < topology_.element_count(); ++e) {
       corners.clear();
       for (const Index node : topology_.element(e)) corners.push_back(stand_in(node, e));
-      add_element(corners, region_of(e));
+      add_element(topology_.element_type(e), corners, region_of(e));
     }
   }
 

@@ -185,9 +185,18 @@ constexpr Table<8, 12, 6> hexahedron{
 
 constexpr Table<0, 0, 0> polyhedron{
     .name = "polyhedron", .dimension = 3, .corners = {}, .edges = {}, .faces = {}, .mirrored = {}};
+constexpr Table<0, 0, 0> polygon{
+    .name = "polygon", .dimension = 2, .corners = {}, .edges = {}, .faces = {}, .mirrored = {}};
 
 template <const auto& table>
 constexpr auto links = links_of(table);
+
+std::vector<std::array<Index, 3>> make_triangles(const ElementShape& shape) {
+  std::vector<std::array<Index, 3>> list;
+  for (std::size_t k = 0; k < shape.links.size(); ++k)
+    list.push_back({static_cast<Index>(k), shape.links[k][0], shape.links[k][1]});
+  return list;
+}
 
 std::vector<std::array<Index, 4>> make_at_corners(const ElementShape& shape) {
   std::vector<std::array<Index, 4>> list;
@@ -227,7 +236,7 @@ std::vector<std::array<Index, 4>> make_at_edges(const ElementShape& shape) {
   return list;
 }
 
-/// The shape of a type with the tetrahedra, which follow from the links.
+/// The shape of a type with the triangles or tetrahedra, which follow from the links.
 struct FixedShape {
   template <const auto& table>
   static FixedShape of(ElementType type) {
@@ -239,7 +248,12 @@ struct FixedShape {
                      .faces = table.faces,
                      .links = links<table>,
                      .mirrored = table.mirrored}};
-    if (table.dimension == 2) return made;
+    if (table.dimension == 2) {
+      made.triangles = make_triangles(made.shape);
+      made.shape.corner_triangles = made.triangles;
+      made.shape.real_corners = static_cast<Index>(made.triangles.size());
+      return made;
+    }
     made.at_corners = make_at_corners(made.shape);
     made.at_edges = make_at_edges(made.shape);
     made.shape.corner_tetrahedra = made.at_corners;
@@ -248,6 +262,7 @@ struct FixedShape {
   }
 
   ElementShape shape;
+  std::vector<std::array<Index, 3>> triangles = {};
   std::vector<std::array<Index, 4>> at_corners = {}, at_edges = {};
 };
 
@@ -261,7 +276,8 @@ const ElementShape& shape_of(ElementType type) {
       FixedShape::of<pyramid>(ElementType::pyramid),
       FixedShape::of<prism>(ElementType::prism),
       FixedShape::of<hexahedron>(ElementType::hexahedron),
-      FixedShape::of<polyhedron>(ElementType::polyhedron)};
+      FixedShape::of<polyhedron>(ElementType::polyhedron),
+      FixedShape::of<polygon>(ElementType::polygon)};
   return shapes[static_cast<std::size_t>(type)].shape;
 }
 

@@ -108,8 +108,9 @@ constexpr Face by_nodes(const Face& face, std::span<const Index> corners) {
 /// "nodes 3 and 5", "nodes 3, 5 and 9": a face in messages.
 std::string nodes_text(const Face& face);
 
-/// Linear elements: the first two of plane and surface meshes, the others of volume meshes. A
-/// polyhedron has any number of faces, and these have any number of corners.
+/// Linear elements: triangles and quadrilaterals of plane and surface meshes, polygons of plane
+/// meshes, the others of volume meshes. A polygon has any number of corners. A polyhedron has any
+/// number of faces, and these have any number of corners. The order is that of saved sessions.
 enum class ElementType : std::uint8_t {
   triangle,
   quadrilateral,
@@ -117,16 +118,18 @@ enum class ElementType : std::uint8_t {
   pyramid,
   prism,
   hexahedron,
-  polyhedron
+  polyhedron,
+  polygon
 };
-inline constexpr std::size_t element_type_count = 7;
-/// All types but polyhedra: those of which all elements have one shape.
+inline constexpr std::size_t element_type_count = 8;
+/// All types but polyhedra and polygons: those of which all elements have one shape.
 inline constexpr std::array<ElementType, 6> fixed_element_types{
     ElementType::triangle, ElementType::quadrilateral, ElementType::tetrahedron,
     ElementType::pyramid,  ElementType::prism,         ElementType::hexahedron};
 
 /// Edges, faces and links of an element, by the numbers of its corners: of all elements of one
-/// type, or of one polyhedron (PolyhedronShape).
+/// type, of one polyhedron (PolyhedronShape), or of all polygons with the same flat corners
+/// (PolygonShape).
 ///
 /// Corners, edges and faces are numbered as CGNS does (SIDS, "Unstructured Grid Element Numbering
 /// Conventions": TRI_3, QUAD_4, TETRA_4, PYRA_5, PENTA_6, HEXA_8), counted from zero. VTK has the
@@ -143,7 +146,7 @@ struct ElementShape {
   int dimension;          ///< 2 or 3
   /// #corners: places in the reference element (VTK's parametric coordinates: unit simplices, the
   /// unit square and cube, an apex above the centre of the unit square); z is 0 in two dimensions.
-  /// Empty for polyhedra.
+  /// Empty for polyhedra and polygons.
   std::span<const std::array<double, 3>> corners;
   /// The edges; of a plane element they are its faces, too.
   std::span<const std::array<Index, 2>> edges;
@@ -167,22 +170,32 @@ struct ElementShape {
   std::span<const std::array<std::uint8_t, 3>> face_sizes = {};
   /// The type with the same faces; of a polyhedron that is like no other type, polyhedron.
   ElementType like = type;
-  /// Of a polyhedron: number of corners that are neither flat nor inside a straight edge.
+  /// Of a polyhedron: number of corners that are neither flat nor inside a straight edge. Of a
+  /// plane element: number of corners that are not flat.
   Index real_corners = 0;
+  /// Of a plane element: triangles of a corner, the next corner and the previous one. The first
+  /// real_corners of them are those of all corners that are not flat, ascending. Others are at flat
+  /// corners between flat ones, with a third corner across the polygon instead of the previous one.
+  std::span<const std::array<Index, 3>> corner_triangles = {};
+  /// Of a polygon, for each corner that is not flat: the number of edges from it to the next such
+  /// corner, and to the previous one.
+  std::span<const std::array<Index, 2>> side_edges = {};
 };
 
-/// The shape of all elements of a type; that of polyhedra is empty.
+/// The shape of all elements of a type; that of polyhedra and polygons is empty.
 const ElementShape& shape_of(ElementType type);
 
-/// Number of corners of an element; 0 of polyhedra, which have any number.
+/// Number of corners of an element; 0 of polyhedra and polygons, which have any number.
 constexpr Index corner_count(ElementType type) {
-  constexpr std::array<Index, 7> counts{3, 4, 4, 5, 6, 8, 0};
+  constexpr std::array<Index, element_type_count> counts{3, 4, 4, 5, 6, 8, 0, 0};
   return counts[static_cast<std::size_t>(type)];
 }
-/// 2 of triangles and quadrilaterals, 3 of the others.
-constexpr int dimension_of(ElementType type) { return type < ElementType::tetrahedron ? 2 : 3; }
+/// 2 of triangles, quadrilaterals and polygons, 3 of the others.
+constexpr int dimension_of(ElementType type) {
+  return type < ElementType::tetrahedron || type == ElementType::polygon ? 2 : 3;
+}
 
-/// A table with make(type) for each element type with one shape; empty for polyhedra.
+/// A table with make(type) for each element type with one shape; empty for the others.
 template <class Make>
 auto table_by_type(const Make& make) {
   std::array<decltype(make(ElementType::triangle)), element_type_count> table;

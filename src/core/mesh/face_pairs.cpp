@@ -47,6 +47,11 @@ bool same_edges(const Face& a, const Face& b) {
   return true;
 }
 
+/// Side k of a polygon.
+Face side_of(std::span<const Index> corners, std::size_t k) {
+  return {corners[k], corners[(k + 1) % corners.size()]};
+}
+
 /// Calls body(nodes, element, side) for every side of every element, on several threads.
 /// side_offsets: FacePairs::side_offsets.
 template <typename Body>
@@ -57,6 +62,10 @@ void for_each_side(const MeshData& data, std::span<const Index> side_offsets, co
       Index side = side_offsets[at(e)];
       if (data.types[at(e)] == ElementType::polyhedron) {
         for (const Face& face : data.polyhedron(e)) body(face, e, side++);
+        continue;
+      }
+      if (data.types[at(e)] == ElementType::polygon) {
+        for (std::size_t k = 0; k < corners.size(); ++k) body(side_of(corners, k), e, side++);
         continue;
       }
       for (const Face& face : shape_of(data.types[at(e)]).faces)
@@ -200,6 +209,8 @@ FacePairs pair_faces(const MeshData& data) {
 Face face_of_side(const MeshData& data, Index element, Index side_of_element) {
   if (data.types[at(element)] == ElementType::polyhedron)
     return data.polyhedron(element)[at(side_of_element)];
+  if (data.types[at(element)] == ElementType::polygon)
+    return side_of(data.element(element), at(side_of_element));
   const ElementShape& shape = shape_of(data.types[at(element)]);
   return by_nodes(shape.faces[at(side_of_element)], data.element(element));
 }
@@ -350,8 +361,13 @@ std::vector<Index> turned_elements(const MeshData& data, const std::vector<bool>
   for (Index e = 0; e < data.element_count(); ++e) {
     if (!turn[at(e)] || data.types[at(e)] == ElementType::polyhedron) continue;
     const auto corners = data.element(e);
-    const auto mirrored = shape_of(data.types[at(e)]).mirrored;
     const std::size_t begin = at(data.element_offsets[at(e)]);
+    if (data.types[at(e)] == ElementType::polygon) {
+      std::reverse_copy(corners.begin() + 1, corners.end(),
+                        nodes.begin() + static_cast<std::ptrdiff_t>(begin) + 1);
+      continue;
+    }
+    const auto mirrored = shape_of(data.types[at(e)]).mirrored;
     for (std::size_t k = 0; k < corners.size(); ++k) nodes[begin + k] = corners[at(mirrored[k])];
   }
   return nodes;

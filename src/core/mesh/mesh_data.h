@@ -69,7 +69,8 @@ struct MeshData {
   Coordinates coordinates;                ///< #nodes by 2 or 3
   std::vector<ElementType> types;         ///< #elements, all of one dimension
   std::vector<Index> element_offsets{0};  ///< #elements + 1, into element_nodes
-  std::vector<Index> element_nodes;       ///< corners of all elements, any orientation
+  /// Corners of all elements, any orientation; of a polygon as they follow one another around it.
+  std::vector<Index> element_nodes;
   /// The faces of polyhedra, by nodes, all of one element counter-clockwise seen from outside or
   /// all clockwise. face_offsets: #elements + 1, into faces; empty: there are no polyhedra.
   std::vector<Face> faces = {};
@@ -97,9 +98,14 @@ struct MeshData {
   }
   /// Number of faces of an element.
   Index face_count(Index e) const {
-    return static_cast<Index>(types[at(e)] == ElementType::polyhedron
-                                  ? polyhedron(e).size()
-                                  : shape_of(types[at(e)]).faces.size());
+    switch (types[at(e)]) {
+      case ElementType::polyhedron:
+        return static_cast<Index>(polyhedron(e).size());
+      case ElementType::polygon:
+        return static_cast<Index>(element(e).size());
+      default:
+        return static_cast<Index>(shape_of(types[at(e)]).faces.size());
+    }
   }
   /// Throws UsageError if an Index cannot number the corners of all elements.
   void add_element(ElementType type, std::span<const Index> corners) {

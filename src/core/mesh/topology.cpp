@@ -17,6 +17,7 @@ class TopologyBuilder {
  private:
   void orient_elements();
   void make_polyhedra();
+  void make_polygons();
   void build_surface();
   void build_volume();
   void make_markers();
@@ -94,8 +95,9 @@ const HalfEdgeMesh& Topology::half_edges() const {
 
 std::size_t Topology::bytes() const {
   std::size_t sum = bytes_of(types_, elements_, neighbours_, star_, on_boundary_, interior_nodes_,
-                             edges_, volume_faces_, element_region_);
+                             edges_, volume_faces_, element_region_, own_shape_);
   for (const auto& polyhedron : polyhedra_) sum += polyhedron->bytes();
+  for (const auto& polygon : polygons_) sum += polygon->bytes();
   for (const auto& loop : loops_) sum += bytes_of(loop);
   for (const Marker& marker : markers_) sum += bytes_of(marker.faces);
   for (const RegionInterface& meeting : interfaces_) sum += bytes_of(meeting.faces, meeting.nodes);
@@ -160,6 +162,25 @@ void check_faces(const MeshData& data, Index e) {
   }
 }
 
+/// Throws MeshError for a polygon in space, and for one with a number of corners that none has.
+void check_polygon(const MeshData& data, Index e) {
+  const std::size_t corners = data.element(e).size();
+  if (corners < 3 || corners > most_polygon_corners) {
+    throw MeshError(MeshEntity::element, e,
+                    "element " + std::to_string(e) + ", a polygon, has " + std::to_string(corners) +
+                        " corners, expected 3 to " + std::to_string(most_polygon_corners));
+  }
+  if (data.kind() == MeshKind::plane) return;
+  const auto count = std::ranges::count(data.types, ElementType::polygon);
+  throw MeshError(MeshEntity::element, e,
+                  "element " + std::to_string(e) + " is a polygon of " + std::to_string(corners) +
+                      " corners between points that do not lie in one plane (" +
+                      std::to_string(count) + " of " + std::to_string(data.types.size()) +
+                      " elements" + (count == 1 ? " is a polygon" : " are polygons") +
+                      "): expected triangles and quadrilaterals of a surface mesh; cut its "
+                      "polygons into triangles first");
+}
+
 void check_type(const MeshData& data, Index e) {
   const ElementType type = data.types[static_cast<std::size_t>(e)];
   const std::string found =
@@ -171,6 +192,7 @@ void check_type(const MeshData& data, Index e) {
   }
   const std::size_t corners = data.element(e).size();
   if (type == ElementType::polyhedron) return check_faces(data, e);
+  if (type == ElementType::polygon) return check_polygon(data, e);
   if (corners != static_cast<std::size_t>(corner_count(type))) {
     throw MeshError(MeshEntity::element, e,
                     found + " with " + std::to_string(corners) + " corners, expected " +
@@ -181,7 +203,7 @@ void check_type(const MeshData& data, Index e) {
 void check_corners(const MeshData& data, Index e) {
   const Index nodes = data.node_count();
   const auto corners = data.element(e);
-  const bool many = data.types[at(e)] == ElementType::polyhedron;
+  const bool many = data.types[at(e)] == ElementType::polyhedron;  // check_faces() was here
   for (std::size_t k = 0; k < corners.size(); ++k) {
     if (corners[k] < 0 || corners[k] >= nodes) {
       throw MeshError(MeshEntity::element, e,
@@ -320,10 +342,11 @@ void TopologyBuilder::orient_elements() {
   topology_->elements_.offsets = data_.element_offsets;
   topology_->elements_.values = turned_elements(data_, turned_);
   if (data_.has_polyhedra()) make_polyhedra();
+  if (std::ranges::find(data_.types, ElementType::polygon) != data_.types.end()) make_polygons();
 }
 
 void TopologyBuilder::make_polyhedra() {
-  std::vector<Index>& number = topology_->polyhedron_;
+  std::vector<Index>& number = topology_->own_shape_;
   number.assign(at(data_.element_count()), -1);
   Index count = 0;
   for (Index e = 0; e < data_.element_count(); ++e)
@@ -334,6 +357,26 @@ void TopologyBuilder::make_polyhedra() {
       if (number[at(e)] >= 0)
         topology_->polyhedra_[at(number[at(e)])] = polyhedron_of(data_, e, turned_[at(e)]);
   });
+}
+
+void TopologyBuilder::make_polygons() {
+  std::vector<PolygonCorners> of_element(at(data_.element_count()));
+  parallel_for(0, data_.element_count(), [&](Index begin, Index end) {
+    for (Index e = begin; e < end; ++e)
+      if (data_.types[at(e)] == ElementType::polygon)
+        of_element[at(e)] =
+            corners_of_polygon(places_of(data_.coordinates, topology_->elements_[e]));
+  });
+  std::vector<Index>& number = topology_->own_shape_;
+  number.assign(of_element.size(), -1);
+  std::map<PolygonCorners, Index> known;
+  for (std::size_t e = 0; e < number.size(); ++e) {
+    if (data_.types[e] != ElementType::polygon) continue;
+    const auto [found, is_new] =
+        known.try_emplace(of_element[e], static_cast<Index>(topology_->polygons_.size()));
+    if (is_new) topology_->polygons_.push_back(std::make_unique<const PolygonShape>(found->first));
+    number[e] = found->second;
+  }
 }
 
 void TopologyBuilder::build_surface() {

@@ -5,6 +5,7 @@
 #include "core/mesh/element_type.h"
 #include "core/mesh/index_sets.h"
 #include "core/mesh/mesh_data.h"
+#include "core/mesh/polygon.h"
 #include "core/mesh/polyhedron.h"
 #include "core/types.h"
 
@@ -32,7 +33,8 @@ class Topology {
  public:
   /// Builds connectivity from raw arrays. Throws MeshError: elements of different dimensions, or of
   /// more dimensions than the space; node id out of range, repeated node in an element; a face of
-  /// three elements, a triangle on a quadrilateral of a neighbour, a non-manifold node or edge;
+  /// three elements, a triangle on a quadrilateral of a neighbour, a non-manifold node or edge; a
+  /// polygon with fewer than three corners, with more than most_polygon_corners, or in space;
   /// orientation that cannot be made consistent; a plane or volume mesh without boundary; a face of
   /// a marker that is no face of an element.
   static std::shared_ptr<const Topology> build(const MeshData& data);
@@ -49,12 +51,14 @@ class Topology {
 
   ElementType element_type(Index e) const { return types_[static_cast<std::size_t>(e)]; }
   std::span<const ElementType> element_types() const { return types_; }
-  /// Edges, faces and tetrahedra of an element.
+  /// Edges, faces and triangles or tetrahedra of an element.
   const ElementShape& shape(Index e) const {
-    return element_type(e) == ElementType::polyhedron ? polyhedra_[at(polyhedron_[at(e)])]->shape()
-                                                      : shape_of(element_type(e));
+    if (own_shape_.empty() || own_shape_[at(e)] < 0) return shape_of(element_type(e));
+    const std::size_t own = at(own_shape_[at(e)]);
+    return polygons_.empty() ? polyhedra_[own]->shape() : polygons_[own]->shape();
   }
   bool has_polyhedra() const { return !polyhedra_.empty(); }
+  bool has_polygons() const { return !polygons_.empty(); }
   /// Corners of an element, numbered as in its ElementShape.
   std::span<const Index> element(Index e) const { return elements_[e]; }
   const CompressedRows& elements() const { return elements_; }
@@ -133,8 +137,9 @@ class Topology {
   MeshKind kind_ = MeshKind::plane;
   int space_dimension_ = 2;
   std::vector<ElementType> types_;
-  std::vector<std::unique_ptr<const PolyhedronShape>> polyhedra_;
-  std::vector<Index> polyhedron_;  // #elements: index into polyhedra_, or -1; empty: none
+  std::vector<std::unique_ptr<const PolyhedronShape>> polyhedra_;  // one for each
+  std::vector<std::unique_ptr<const PolygonShape>> polygons_;      // of several with one shape
+  std::vector<Index> own_shape_;  // #elements: index into one of these, or -1; empty: none
   CompressedRows elements_;
   CompressedRows neighbours_;
   CompressedRows star_;

@@ -6,14 +6,25 @@ namespace winslow {
 
 namespace {
 
-using Corners = std::span<const Corner>;
-
 /// R/(2r) of half a square, by which values of corners of quadrilaterals are divided.
 const double square_radius_ratio = (1 + std::sqrt(2.0)) / 2;
 
-double smallest_sine(Corners corners) {
+double ideal_angle(const PlaneElement& element) {
+  return element.polygon ? 180 * (1 - 2 / element.sides()) : element.corners.size() == 3 ? 60 : 90;
+}
+
+/// R/(2r) of a corner of the regular element.
+double regular_radius_ratio(const PlaneElement& element) {
+  if (element.corners.size() == 3) return 1;
+  if (!element.polygon) return square_radius_ratio;
+  const double angle = radians(ideal_angle(element)), sine = std::sin(angle);
+  const double across = 2 * std::sin(angle / 2);
+  return across * (2 + across) / (4 * sine * sine);
+}
+
+double smallest_sine(const PlaneElement& element) {
   double smallest = 1;
-  for (const Corner& corner : corners) smallest = std::min(smallest, corner.sine());
+  for (const Corner& corner : element.corners) smallest = std::min(smallest, corner.sine());
   return smallest;
 }
 
@@ -21,50 +32,54 @@ constexpr const char* condition_help =
     "Weighted condition number of the corners. 1 is best for a mesh that is not stretched on "
     "purpose. Inverted elements are left out.";
 
-double aspect_ratio(Corners corners) {
+double aspect_ratio(const PlaneElement& element) {
+  const double regular = regular_radius_ratio(element);
   double largest = 0;
-  for (const Corner& corner : corners) {
-    const double ratio = corner.radius_ratio();
-    largest = std::max(largest, corners.size() == 3 ? ratio : ratio / square_radius_ratio);
+  for (const Corner& corner : element.corners)
+    largest = std::max(largest, corner.radius_ratio() / regular);
+  return largest;
+}
+
+double condition_number(const PlaneElement& element) {
+  const std::size_t n = element.corners.size();
+  const double angle = radians(ideal_angle(element));
+  double largest = 0;
+  for (const Corner& corner : element.corners) {
+    const double condition = element.polygon ? corner.condition(angle)
+                             : n == 3        ? corner.triangle_condition()
+                                             : corner.square_condition();
+    largest = std::max(largest, condition);
   }
   return largest;
 }
 
-double condition_number(Corners corners) {
-  double largest = 0;
-  for (const Corner& corner : corners) {
-    largest = std::max(
-        largest, corners.size() == 3 ? corner.triangle_condition() : corner.square_condition());
-  }
-  return largest;
-}
-
-double smallest_angle(Corners corners) {
+double smallest_angle(const PlaneElement& element) {
   double smallest = 180;
-  for (const Corner& corner : corners) smallest = std::min(smallest, corner.angle());
+  for (const Corner& corner : element.corners) smallest = std::min(smallest, corner.angle());
   return smallest;
 }
 
-double largest_angle(Corners corners) {
+double largest_angle(const PlaneElement& element) {
   double largest = 0;
-  for (const Corner& corner : corners) {
+  for (const Corner& corner : element.corners) {
     const double angle = corner.angle();
     largest = std::max(largest, angle < 0 ? angle + 360 : angle);
   }
   return largest;
 }
 
-double skewness(Corners corners) {
-  const double ideal = corners.size() == 3 ? 60 : 90;
-  const double wide = (largest_angle(corners) - ideal) / (180 - ideal);
-  const double narrow = (ideal - smallest_angle(corners)) / ideal;
+double skewness(const PlaneElement& element) {
+  const double ideal = ideal_angle(element);
+  const double wide = (largest_angle(element) - ideal) / (180 - ideal);
+  const double narrow = (ideal - smallest_angle(element)) / ideal;
   return std::max({wide, narrow, 0.0});  // round-off of a perfect element could be negative
 }
 
-double area(Corners corners) {
-  if (corners.size() == 3) return 0.5 * corners[0].area2;
+double area(const PlaneElement& element) {
+  if (element.polygon) return element.polygon_area;
+  if (element.corners.size() == 3) return 0.5 * element.corners[0].area2;
   double sum = 0;
-  for (const Corner& corner : corners) sum += 0.25 * corner.area2;
+  for (const Corner& corner : element.corners) sum += 0.25 * corner.area2;
   return sum;
 }
 
@@ -93,7 +108,7 @@ constexpr std::array plane_metrics{
         Metric::smallest_angle,
         FieldInfo("smallest_angle", "Smallest angle",
                   "Smallest angle of an element's corners, in degrees, negative where a corner is "
-                  "inverted. 60 is best of a triangle, 90 of a quadrilateral.",
+                  "inverted. 60 is best of a triangle, 90 of a quadrilateral, more of a polygon.",
                   Better::larger, ColorRange::robust_both_sides, 30, {.unit = "degrees"}),
         smallest_angle, 90),
     MetricInfo(
@@ -101,7 +116,7 @@ constexpr std::array plane_metrics{
         FieldInfo(
             "largest_angle", "Largest angle",
             "Largest angle of an element's corners, in degrees, more than 180 where a corner is "
-            "inverted. 60 is best of a triangle, 90 of a quadrilateral.",
+            "inverted. 60 is best of a triangle, 90 of a quadrilateral, more of a polygon.",
             Better::smaller, ColorRange::from_zero, 120, {.unit = "degrees"}),
         largest_angle, 60),
     MetricInfo(

@@ -59,6 +59,21 @@ struct Corner {
     return inverted() ? std::numeric_limits<double>::infinity()
                       : (l1 * l1 + l2 * l2 + l3 * l3) / (2 * std::sqrt(3.0) * area2);
   }
+  /// Condition relative to a corner with this angle between edges of the same length.
+  double condition(double angle) const {
+    if (inverted()) return std::numeric_limits<double>::infinity();
+    return (l1 * l1 + l2 * l2 - 2 * std::cos(angle) * dot) / (2 * std::sin(angle) * area2);
+  }
+  /// The same corner with its edges lengthened.
+  Corner stretched(double next, double previous) const {
+    Corner out = *this;
+    out.l1 *= next;
+    out.l2 *= previous;
+    out.dot *= next * previous;
+    out.area2 *= next * previous;
+    out.l3 = std::sqrt(std::max(0.0, out.l1 * out.l1 + out.l2 * out.l2 - 2 * out.dot));
+    return out;
+  }
   /// Condition relative to a square's corner.
   double square_condition() const {
     return inverted() ? std::numeric_limits<double>::infinity() : (l1 * l1 + l2 * l2) / (2 * area2);
@@ -86,6 +101,19 @@ inline Corner corner_of(const Points<3>& x, std::span<const Index> element, std:
   return {x[element[k]], x[element[(k + 1) % n]], x[element[(k + n - 1) % n]], normal};
 }
 
+/// What the metrics of plane elements see: the corners of an element in the order of its nodes, of
+/// a polygon those that are not flat. The edges of these are as long as the sides would be if the
+/// flat corners lay evenly along them, so that a quadrilateral has the same values with flat
+/// corners and without.
+struct PlaneElement {
+  std::span<const Corner> corners;
+  double polygon_area = 0;  ///< of polygons: the signed area
+  bool polygon = false;
+
+  /// Of the regular element.
+  double sides() const { return std::max(3.0, static_cast<double>(corners.size())); }
+};
+
 /// Element metrics. Definitions (a corner is the triangle of a corner and its two neighbours in the
 /// element: the element itself for a triangle; l1, l2, l3 its edges, A its signed area):
 /// - normalized_jacobian: sine of the corner angle, negative where the corner is inverted; of an
@@ -103,8 +131,11 @@ inline Corner corner_of(const Points<3>& x, std::span<const Index> element, std:
 ///   ideal = 60 of a triangle, 90 of a quadrilateral. 0 is best, 1 degenerate, more than 1
 ///   inverted. (ANSYS Fluent User's Guide, "normalized equiangular skewness"; VTK: equiangle skew.)
 /// - area: signed area of the element, in squared units of the file.
-/// An element is inverted if any of its corners has an area that is not positive. Aspect ratio and
-/// condition number of an inverted element are infinite; statistics leave them out.
+/// A polygon has the values of its corners that are not flat (corners_of_polygon()), relative to
+/// those of the regular polygon with as many: for n of them, angles of (1 - 2/n) 180 degrees.
+/// An element is inverted if any of its corners has an area that is not positive; a polygon also if
+/// its own area is not positive or edges of it cross. Aspect ratio and condition number of an
+/// inverted element are infinite; statistics leave them out.
 ///
 /// For volume elements (a corner is the tetrahedron of a corner and its three neighbours in the
 /// element, E its edges there, W those of the regular element's corner; see corner_tetrahedra()):
@@ -194,7 +225,7 @@ struct FieldInfo : FieldTraits {
 
 /// A metric of plane elements or of volume elements.
 struct MetricInfo {
-  using OfElement = double (*)(std::span<const Corner> corners);
+  using OfElement = double (*)(const PlaneElement& element);
   using OfVolume = double (VolumeElement::*)() const;
   using OfCell = double (FiniteVolumes::*)(Index cell) const;
   using OfCorner = double (Corner::*)() const;
@@ -215,7 +246,7 @@ struct MetricInfo {
 
   Metric metric;
   FieldInfo field;
-  OfElement of_element = nullptr;  ///< of the corners of a plane element, in the order of its nodes
+  OfElement of_element = nullptr;
   OfVolume of_volume = nullptr;
   OfCell of_cell = nullptr;  ///< depends on neighbours, too; a metric has one of the three
   /// Statistics use this value of all corners of all elements; null: they use the finite values of
@@ -228,7 +259,7 @@ struct MetricInfo {
   /// Whether it rates an element, so that it can have a limit.
   bool rates() const { return reported || of_cell != nullptr; }
 
-  double of(std::span<const Corner> corners) const { return of_element(corners); }
+  double of(const PlaneElement& element) const { return of_element(element); }
   double of(const VolumeElement& element) const { return (element.*of_volume)(); }
 };
 

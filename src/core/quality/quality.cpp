@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/geometry/element_normals.h"
+#include "core/mesh/polygon.h"
 #include "core/parallel/parallel_for.h"
 #include "core/quality/corner_kernel.h"
 
@@ -11,7 +12,7 @@ namespace winslow {
 
 namespace {
 
-/// The corners of one element, in the order of its nodes.
+/// The corners of a triangle or a quadrilateral, in the order of its nodes.
 class ElementCorners {
  public:
   ElementCorners(const Coordinates& x, std::span<const Index> element) : count_(element.size()) {
@@ -22,9 +23,7 @@ class ElementCorners {
     for (std::size_t k = 0; k < count_; ++k) corners_[k] = corner_of(x, element, k, normal);
   }
   std::span<const Corner> span() const { return {corners_.data(), count_}; }
-  operator std::span<const Corner>() const {
-    return span();
-  }  // NOLINT(google-explicit-constructor)
+  operator PlaneElement() const { return {span()}; }  // NOLINT(google-explicit-constructor)
   /// Whether any corner is inverted. Round-off may give the corners of a flat triangle different
   /// signs.
   bool inverted() const {
@@ -36,6 +35,33 @@ class ElementCorners {
   std::size_t count_;
 };
 
+/// The corners of a polygon that are not flat.
+class PolygonElement {
+ public:
+  PolygonElement(const Coordinates& x, const ElementShape& shape, std::span<const Index> element)
+      : places_(places_of(x, element)), area_(0.5 * signed_area2(x, element)) {
+    for (std::size_t k = 0; k < shape.corner_triangles.size(); ++k) {
+      const auto& [a, b, c] = shape.corner_triangles[k];
+      const Corner corner(places_[at(a)], places_[at(b)], places_[at(c)]);
+      corner_inverted_ |= corner.inverted();
+      if (k >= shape.side_edges.size()) continue;
+      const auto [next, previous] = shape.side_edges[k];
+      corners_.push_back(next == 1 && previous == 1 ? corner : corner.stretched(next, previous));
+    }
+  }
+  std::span<const Corner> span() const { return corners_; }
+  operator PlaneElement() const {  // NOLINT(google-explicit-constructor)
+    return {.corners = corners_, .polygon_area = area_, .polygon = true};
+  }
+  bool inverted() const { return corner_inverted_ || !(area_ > 0) || !is_simple(places_); }
+
+ private:
+  std::vector<Vec2> places_;
+  double area_;
+  std::vector<Corner> corners_;
+  bool corner_inverted_ = false;
+};
+
 /// For a plane mesh or a surface mesh. normals: reference normals; empty: there are none.
 ElementCorners corners_of(const Topology& topology, const Coordinates& x,
                           std::span<const Vec3> normals, Index e) {
@@ -45,16 +71,24 @@ ElementCorners corners_of(const Topology& topology, const Coordinates& x,
   return {points, element, normals.empty() ? doubled_area_vector(points, element) : normals[at(e)]};
 }
 
-/// Calls use(element) with the ElementCorners or the VolumeElement of an element.
+PolygonElement polygon_corners(const Topology& topology, const Coordinates& x, Index e) {
+  return {x, topology.shape(e), topology.element(e)};
+}
+
+/// Calls use(element) with the ElementCorners, the PolygonElement or the VolumeElement of an
+/// element.
 template <class Use>
 auto with_element(const Mesh& mesh, std::span<const Vec3> normals, Index e, const Use& use) {
   const Topology& topology = *mesh.topology;
+  if (topology.element_type(e) == ElementType::polygon)
+    return use(polygon_corners(topology, mesh.coordinates, e));
   if (topology.kind() != MeshKind::volume)
     return use(corners_of(topology, mesh.coordinates, normals, e));
   return use(VolumeElement(mesh.coordinates, topology.shape(e), topology.element(e)));
 }
 
 std::span<const Corner> corners_in(const ElementCorners& element) { return element.span(); }
+std::span<const Corner> corners_in(const PolygonElement& element) { return element.span(); }
 std::span<const Corner> corners_in(const VolumeElement&) { return {}; }
 
 Histogram histogram_of(std::span<const double> values, double low, double high, int bins) {
@@ -95,8 +129,9 @@ struct Values {
   Values(const Mesh& mesh, std::span<const Vec3> normals, int threads);
 
   std::vector<std::vector<double>> of_elements;  ///< #elements each
-  std::vector<std::vector<double>> of_corners;   ///< #corners each; empty where there are none
-  std::vector<char> inverted;                    ///< #elements
+  /// #corners each, NaN of the flat corners of polygons; empty where there are none.
+  std::vector<std::vector<double>> of_corners;
+  std::vector<char> inverted;  ///< #elements
 };
 
 Values::Values(const Mesh& mesh, std::span<const Vec3> normals, int threads) {
@@ -121,6 +156,9 @@ Values::Values(const Mesh& mesh, std::span<const Vec3> normals, int threads) {
           if (!infos[m]->of_corner) continue;
           for (std::size_t k = 0; k < corners.size(); ++k)
             of_corners[m][first + k] = (corners[k].*infos[m]->of_corner)();
+          for (std::size_t k = first + corners.size();
+               k < at(topology.elements().offsets[at(e) + 1]); ++k)
+            of_corners[m][k] = std::numeric_limits<double>::quiet_NaN();
         }
       });
     }
@@ -196,7 +234,8 @@ QualityReport::PerMetric describe_metric(const Mesh& mesh, const Values& values,
   const auto& all = values.of_elements[m];
   part.worst = worst_elements(mesh, all, info.field, options.worst);
   std::vector<double> counted = info.of_corner ? values.of_corners[m] : all;
-  if (!info.of_corner) std::erase_if(counted, [](double v) { return !std::isfinite(v); });
+  if (!info.of_corner || mesh.topology->has_polygons())
+    std::erase_if(counted, [](double v) { return !std::isfinite(v); });
   part.statistics = measured(counted);
   part.movable = some_fixed ? measured(movable_values(*mesh.topology, all)) : part.statistics;
   const Statistics range = statistics_of(counted);
@@ -324,7 +363,22 @@ Validity check_surface(const Topology& topology, const Coordinates& coordinates,
   });
 }
 
+Validity check_polygons(const Topology& topology, const Coordinates& coordinates, int threads) {
+  return check_elements(topology.element_count(), threads, [&](Index e, Validity& sum) {
+    const auto add = [&](const auto& corners) {
+      sum.inverted += corners.inverted() ? 1 : 0;
+      for (const Corner& corner : corners.span())
+        sum.min_sine = std::min(sum.min_sine, corner.sine());
+    };
+    if (topology.element_type(e) == ElementType::polygon)
+      add(polygon_corners(topology, coordinates, e));
+    else
+      add(corners_of(topology, coordinates, {}, e));
+  });
+}
+
 Validity check_plane(const Topology& topology, const Coordinates& coordinates, int threads) {
+  if (topology.has_polygons()) return check_polygons(topology, coordinates, threads);
   const CornerData data{coordinates.values().data(), topology.elements().offsets.data(),
                         topology.elements().values.data()};
   const CornerKernel avx2 = avx2_corner_kernel();
@@ -340,6 +394,8 @@ Validity check_plane(const Topology& topology, const Coordinates& coordinates, i
 bool is_inverted(const Topology& topology, const Coordinates& coordinates, Index e) {
   if (topology.kind() == MeshKind::volume)
     return VolumeElement(coordinates, topology.shape(e), topology.element(e)).inverted();
+  if (topology.element_type(e) == ElementType::polygon)
+    return polygon_corners(topology, coordinates, e).inverted();
   return corners_of(topology, coordinates, {}, e).inverted();
 }
 

@@ -121,10 +121,16 @@ double tetrahedron_step(const std::array<Index, 4>& nodes, const SpacePoints& fr
   return stays_positive(d0, d1, d2, d3, most) ? most : first_positive_root(d0, d1, d2, d3);
 }
 
-/// Calls visit(node, next, previous) for each corner; once for a triangle, since its corners have
-/// the same area.
+/// Calls visit(node, next, previous) for each corner that is not flat; once for a triangle, since
+/// its corners have the same area.
 template <typename Visit>
-void for_each_corner(std::span<const Index> nodes, const Visit& visit) {
+void for_each_corner(const Topology& topology, Index e, const Visit& visit) {
+  const auto nodes = topology.element(e);
+  if (topology.element_type(e) == ElementType::polygon) {
+    for (const auto& [a, b, c] : topology.shape(e).corner_triangles)
+      visit(nodes[at(a)], nodes[at(b)], nodes[at(c)]);
+    return;
+  }
   const std::size_t count = nodes.size(), corners = count == 3 ? 1 : count;
   for (std::size_t k = 0; k < corners; ++k)
     visit(nodes[k], nodes[(k + 1) % count], nodes[(k + count - 1) % count]);
@@ -165,7 +171,7 @@ double largest_valid_step(const Topology& topology, const Coordinates& from, con
   require_plane(topology, "steps that keep a mesh valid");
   const PlanePoints before(from), after(to);
   return smallest_step(topology.element_count(), most, threads, [&](Index e, double smallest) {
-    for_each_corner(topology.element(e), [&](Index a, Index b, Index c) {
+    for_each_corner(topology, e, [&](Index a, Index b, Index c) {
       smallest = std::min(smallest, corner_step({before[a], before[b], before[c]},
                                                 {after[a], after[b], after[c]}, smallest));
     });
@@ -178,7 +184,7 @@ double largest_valid_step_on_surface(const Topology& topology, const Coordinates
                                      double most, int threads) {
   const SpacePoints before(from), after(to);
   return smallest_step(topology.element_count(), most, threads, [&](Index e, double smallest) {
-    for_each_corner(topology.element(e), [&](Index a, Index b, Index c) {
+    for_each_corner(topology, e, [&](Index a, Index b, Index c) {
       smallest =
           std::min(smallest, corner_step({before[a], before[b], before[c]},
                                          {after[a], after[b], after[c]}, normals[at(e)], smallest));

@@ -14,6 +14,7 @@ namespace {
 double share_of_corner(const ElementShape& shape) {
   switch (shape.like) {
     case ElementType::triangle:
+    case ElementType::polygon:  // cut into triangles
       return 1.0 / 2;
     case ElementType::quadrilateral:
       return 1.0 / 4;
@@ -62,6 +63,9 @@ void visit_simplices(const Topology& topology, const Coordinates& x, Index e, co
   };
   if constexpr (D == 3) {
     for (const auto& corner : shape.corner_tetrahedra) visit_corner(corner);
+  } else if (shape.type == ElementType::polygon) {
+    for (const auto& triangle : cut_polygon(places_of(x, topology.element(e))))
+      visit_corner(triangle);
   } else {
     for (std::size_t k = 0; k < (n == 3 ? 1 : n); ++k)
       visit_corner(std::array<std::size_t, 3>{k, (k + 1) % n, (k + n - 1) % n});

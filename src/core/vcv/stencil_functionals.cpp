@@ -10,20 +10,39 @@ namespace {
 
 /// The VCV of a node with two edges (two quadrilaterals that share both) has no area. The node gets
 /// the gradient along its edge line and equal weights, so it ends halfway between its neighbours.
-void two_edge_functionals(std::span<NeighbourFunctionals> out) {
-  out[0] = {0.5, 0, 0, 0, 1};
-  out[1] = {-0.5, 0, 0, 0, 1};
+/// So does a hanging node, between its neighbours on the side of the polygon.
+void two_edge_functionals(NeighbourFunctionals& first, NeighbourFunctionals& second) {
+  first = {0.5, 0, 0, 0, 1};
+  second = {-0.5, 0, 0, 0, 1};
+}
+
+/// Two edges of the VCV that lie on one line with the node between them; none if there is no such
+/// pair, or if another triangle has no area.
+std::optional<std::size_t> straight_part(std::span<const Vec2> points) {
+  constexpr double round_off = 1e-9;
+  std::optional<std::size_t> found;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Vec2 &p = points[k], &q = points[(k + 1) % points.size()];
+    if (cross(p, q) > round_off * p.norm() * q.norm()) continue;
+    if (found || !(p.dot(q) < 0)) return std::nullopt;
+    found = k;
+  }
+  return found;
 }
 
 }  // namespace
 
 void compute_functionals(std::span<const Vec2> points, std::span<NeighbourFunctionals> out) {
   const std::size_t n = points.size();
+  std::fill(out.begin(), out.end(), NeighbourFunctionals{});
   if (n == 2) {
-    two_edge_functionals(out);
+    two_edge_functionals(out[0], out[1]);
     return;
   }
-  std::fill(out.begin(), out.end(), NeighbourFunctionals{});
+  if (const auto k = straight_part(points)) {
+    two_edge_functionals(out[*k], out[(*k + 1) % n]);
+    return;
+  }
   double area2 = 0;  // twice the area of the VCV
   for (std::size_t t = 0; t < n; ++t) {
     const std::size_t u = (t + 1) % n;
@@ -77,8 +96,8 @@ StencilFunctionals::StencilFunctionals(const VirtualControlVolumes& vcv)
   zero_.assign(longest, NeighbourFunctionals{});
   equal_.resize(longest + 1);
   for (const Index node : topology_->interior_nodes()) {
-    if (vcv.edited(node)) {
-      edited_[node] = row_of(node);
+    if (vcv.edited(node) || vcv.hangs(node)) {
+      own_[node] = row_of(node);
       continue;
     }
     Row& equal = equal_[topology_->neighbours(node).size()];

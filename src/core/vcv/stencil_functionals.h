@@ -23,7 +23,8 @@ struct NeighbourFunctionals {
 std::vector<Vec2> vcv_points(std::span<const double> angles, std::span<const double> lengths);
 
 /// Functionals of one VCV given by the computational positions of its neighbours,
-/// counter-clockwise around the origin. Throws NumericError if the VCV has no area.
+/// counter-clockwise around the origin. Where two edges lie on one line, only these count. Throws
+/// NumericError if the VCV has no area.
 void compute_functionals(std::span<const Vec2> points, std::span<NeighbourFunctionals> out);
 
 /// Functionals of all VCVs: rows as long as those of Topology::neighbour_rows(). Rows of nodes
@@ -32,9 +33,9 @@ class StencilFunctionals {
  public:
   explicit StencilFunctionals(const VirtualControlVolumes& vcv);
   std::span<const NeighbourFunctionals> operator[](Index node) const {
-    if (!edited_.empty()) {
-      const auto found = edited_.find(node);
-      if (found != edited_.end()) return found->second;
+    if (!own_.empty()) {
+      const auto found = own_.find(node);
+      if (found != own_.end()) return found->second;
     }
     const std::size_t n = topology_->neighbours(node).size();
     return topology_->on_boundary(node) ? std::span(zero_).first(n) : std::span(equal_[n]);
@@ -44,8 +45,8 @@ class StencilFunctionals {
   using Row = std::vector<NeighbourFunctionals>;
 
   std::shared_ptr<const Topology> topology_;
-  std::vector<Row> equal_;  // by number of neighbours
-  std::map<Index, Row> edited_;
+  std::vector<Row> equal_;    // by number of neighbours
+  std::map<Index, Row> own_;  // of edited VCVs and of hanging nodes
   Row zero_;
 };
 

@@ -49,7 +49,13 @@ void apply(const VcvEdit& edit, VirtualControlVolumes& vcv) {
   }
   const std::size_t n = topology.neighbours(edit.node).size();
   std::vector<double> angles = edit.angles, lengths = edit.lengths;
-  if (angles.empty()) angles.assign(n, 360.0 / static_cast<double>(n));
+  if (angles.empty() && vcv.hangs(edit.node)) {
+    const std::size_t place = first_place(topology, edit);
+    for (std::size_t k = 0; k < n; ++k)
+      angles.push_back(degrees(vcv.equal_angles(edit.node)[(k + place) % n]));
+  } else if (angles.empty()) {
+    angles.assign(n, 360.0 / static_cast<double>(n));
+  }
   if (lengths.empty()) lengths.assign(n, 1.0);
   if (angles.size() != n || lengths.size() != n) {
     throw UsageError(who(edit.node) + ": expected " + std::to_string(n) + " angles and lengths");

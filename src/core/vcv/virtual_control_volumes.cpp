@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "core/mesh/polygon.h"
 
 namespace winslow {
 
@@ -39,6 +40,22 @@ VirtualControlVolumes::VirtualControlVolumes(std::shared_ptr<const Topology> top
     equal_[n].angles.assign(n, 2 * pi / static_cast<double>(n));
     equal_[n].lengths.assign(n, 1.0);
   }
+  if (topology_->has_polygons()) find_hanging_nodes();
+}
+
+void VirtualControlVolumes::find_hanging_nodes() {
+  for (const Index node : topology_->interior_nodes()) {
+    const auto star = topology_->star(node);
+    std::vector<std::size_t> flat;
+    for (std::size_t k = 0; k < star.size(); ++k)
+      if (is_flat_corner(topology_->shape(star[k]), index_of(topology_->element(star[k]), node)))
+        flat.push_back(k);
+    if (star.size() < 3 || flat.size() != 1) continue;
+    Stencil& stencil = hanging_[node];
+    stencil.angles.assign(star.size(), pi / static_cast<double>(star.size() - 1));
+    stencil.angles[flat[0]] = pi;
+    stencil.lengths.assign(star.size(), 1.0);
+  }
 }
 
 const VirtualControlVolumes::Stencil* VirtualControlVolumes::stencil(Index node) const {
@@ -47,12 +64,26 @@ const VirtualControlVolumes::Stencil* VirtualControlVolumes::stencil(Index node)
     const auto found = edited_.find(node);
     if (found != edited_.end()) return &found->second;
   }
+  return equal_stencil(node);
+}
+
+const VirtualControlVolumes::Stencil* VirtualControlVolumes::equal_stencil(Index node) const {
+  if (topology_->on_boundary(node)) return nullptr;
+  if (!hanging_.empty()) {
+    const auto found = hanging_.find(node);
+    if (found != hanging_.end()) return &found->second;
+  }
   const std::size_t n = topology_->neighbours(node).size();
   return n < equal_.size() ? &equal_[n] : nullptr;
 }
 
 std::span<const double> VirtualControlVolumes::angles(Index node) const {
   const Stencil* s = stencil(node);
+  return s ? std::span<const double>(s->angles) : std::span<const double>{};
+}
+
+std::span<const double> VirtualControlVolumes::equal_angles(Index node) const {
+  const Stencil* s = equal_stencil(node);
   return s ? std::span<const double>(s->angles) : std::span<const double>{};
 }
 
@@ -76,11 +107,13 @@ void VirtualControlVolumes::set(Index node, std::span<const double> angles,
     throw UsageError(who + ": expected " + std::to_string(n) + " angles and lengths");
   }
   double sum = 0;
-  for (const double angle : angles) {
-    if (!(angle > 0) || !(n == 2 ? angle <= pi : angle < pi)) {
+  const auto equal = equal_angles(node);
+  for (std::size_t k = 0; k < n; ++k) {
+    const bool straight = equal[k] == pi;  // one of two edges, or the polygon at a hanging node
+    if (!(angles[k] > 0) || !(straight ? angles[k] <= pi : angles[k] < pi)) {
       throw UsageError(who + ": an angle lies outside (0, pi)");
     }
-    sum += angle;
+    sum += angles[k];
   }
   if (std::abs(sum - 2 * pi) > 1e-9) throw UsageError(who + ": the angles do not sum to 2 pi");
   require_edge_lengths(node, lengths);

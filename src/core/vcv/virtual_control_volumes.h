@@ -23,10 +23,13 @@ void require_edge_lengths(Index node, std::span<const double> lengths);
 /// the origin, its edge neighbours on the unit circle in the order of connectivity, separated by
 /// equal angles; quadrilaterals are cut at the corner, so each element gives one triangle. Changing
 /// these numbers controls angles and spacing. Only changed VCVs are stored, so a copy is cheap.
+///
+/// At a hanging node, which is a flat corner of one polygon (corners_of_polygon()), that polygon
+/// has half of the circle, and the others have equal parts of the other half.
 class VirtualControlVolumes {
  public:
-  /// Equal angles (2 pi / #neighbours) and unit edges. In a surface mesh they lie in the tangent
-  /// planes. Throws UsageError for a volume mesh.
+  /// Unit edges and equal angles: 2 pi / #neighbours, but for hanging nodes. In a surface mesh they
+  /// lie in the tangent planes. Throws UsageError for a volume mesh.
   explicit VirtualControlVolumes(std::shared_ptr<const Topology> topology);
 
   const Topology& topology() const { return *topology_; }
@@ -40,10 +43,14 @@ class VirtualControlVolumes {
   /// Computational position of neighbour k of an interior node: edge 0 lies on the positive x axis.
   Vec2 point(Index node, Index k) const;
 
-  /// Replaces the VCV of an interior node. Angles are in (0, pi) (2 edges: pi each) and sum to
-  /// 2 pi within 1e-9; lengths are positive, the longest at most 1e12 times the shortest. Throws
-  /// UsageError otherwise.
+  /// Replaces the VCV of an interior node. Angles are in (0, pi) (2 edges, and the polygon at a
+  /// hanging node: up to pi) and sum to 2 pi within 1e-9; lengths are positive, the longest at most
+  /// 1e12 times the shortest. Throws UsageError otherwise.
   void set(Index node, std::span<const double> angles, std::span<const double> lengths);
+  /// The angles of a node whose VCV is not edited. Empty for nodes of the boundary.
+  std::span<const double> equal_angles(Index node) const;
+  /// Whether a node is a flat corner of one of its three or more elements.
+  bool hangs(Index node) const { return hanging_.contains(node); }
   /// Resets the VCV to equal angles and unit edges. Throws UsageError for a node of the boundary.
   void reset(Index node);
 
@@ -58,9 +65,12 @@ class VirtualControlVolumes {
 
  private:
   const Stencil* stencil(Index node) const;
+  const Stencil* equal_stencil(Index node) const;
+  void find_hanging_nodes();
 
   std::shared_ptr<const Topology> topology_;
-  std::vector<Stencil> equal_;  // by number of neighbours
+  std::vector<Stencil> equal_;        // by number of neighbours
+  std::map<Index, Stencil> hanging_;  // of hanging nodes
   std::map<Index, Stencil> edited_;
 };
 

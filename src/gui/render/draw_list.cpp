@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "core/quality/quality.h"
 #include "gui/base/screen.h"
 #include "gui/render/overlap.h"
 
@@ -33,15 +34,18 @@ class MeshFiller {
       shortest = std::min(shortest, (coordinates_.xy(j) - coordinates_.xy(node)).squaredNorm());
     return std::sqrt(shortest);
   }
-  /// Corners of the triangles of an element, three each.
-  std::array<int, 6> cut(std::span<const Index> corners) const {
-    return corners.size() == 4 ? cut_quadrilateral(coordinates_, corners)
-                               : std::array<int, 6>{0, 1, 2, 0, 0, 0};
+  /// Corners of the triangles of an element.
+  const std::vector<std::array<Index, 3>>& cut(Index e) {
+    cut_element(topology_, coordinates_, e, triangles_);
+    return triangles_;
   }
 
   const Topology& topology_;
   const Coordinates& coordinates_;
   DrawList list_;
+
+ private:
+  std::vector<std::array<Index, 3>> triangles_;  // work memory
 };
 
 /// Fills a DrawList with the whole mesh; vertices are nodes.
@@ -84,28 +88,30 @@ class WholeMesh : MeshFiller {
     if (with_lines) list_.triangle_lines.reserve(2 * elements);
     for (Index e = 0; e < topology_.element_count(); ++e) {
       const auto corners = topology_.element(e);
-      const std::array<int, 6> cut = this->cut(corners);
-      const std::size_t used = corners.size() == 4 ? 6 : 3;
-      const bool inverted = is_inverted(coordinates_, corners);
-      for (std::size_t k = 0; k < used; ++k) {
-        const auto node = static_cast<std::uint32_t>(corners[at(cut[k])]);
-        list_.triangles.push_back(node);
-        if (inverted) list_.inverted_triangles.push_back(node);
-        if (k % 3 == 0) list_.triangle_element.push_back(e);
-        if (k % 3 == 0 && with_lines) add_triangle_lines(corners, {cut[k], cut[k + 1], cut[k + 2]});
+      const bool inverted = shows_inverted(topology_, coordinates_, e);
+      for (const auto& triangle : cut(e)) {
+        for (const Index k : triangle) {
+          const auto node = static_cast<std::uint32_t>(corners[at(k)]);
+          list_.triangles.push_back(node);
+          if (inverted) list_.inverted_triangles.push_back(node);
+        }
+        list_.triangle_element.push_back(e);
+        if (with_lines) add_triangle_lines(corners, triangle);
       }
       if (inverted) add_outline(corners);
     }
   }
 
-  /// The diagonal that cuts a quadrilateral does not count as a line.
-  void add_triangle_lines(std::span<const Index> corners, const std::array<int, 3>& cut) {
+  /// The diagonals that cut an element do not count as lines.
+  void add_triangle_lines(std::span<const Index> corners, const std::array<Index, 3>& cut) {
+    const auto last = static_cast<Index>(corners.size()) - 1;
     std::array<Vec2, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = coordinates_.xy(corners[at(cut[k])]);
     double longest = 0;
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (corners.size() == 4 && std::abs(cut[(k + 1) % 3] - cut[k]) == 2) continue;
+      const Index apart = std::abs(cut[(k + 1) % 3] - cut[k]);
+      if (apart != 1 && apart != last) continue;
       const double length = (p[(k + 1) % 3] - p[k]).norm();
       longest = std::max(longest, length);
       sum += length;
@@ -209,15 +215,11 @@ class ClippedMesh : MeshFiller {
   void add_element(Index e) {
     const auto corners = topology_.element(e);
     if (misses_box(corners)) return;
-    const bool inverted = is_inverted(coordinates_, corners);
-    const std::array<int, 6> cut = this->cut(corners);
-    for (std::size_t t = 0; t + 2 < corners.size(); ++t) {
-      std::array<Vec2, 3> triangle;
-      for (std::size_t k = 0; k < 3; ++k) {
-        triangle[k] = coordinates_.xy(corners[static_cast<std::size_t>(cut[3 * t + k])]);
-      }
-      add_triangle(triangle, e, inverted);
-    }
+    const bool inverted = shows_inverted(topology_, coordinates_, e);
+    for (const auto& [a, b, c] : cut(e))
+      add_triangle({coordinates_.xy(corners[at(a)]), coordinates_.xy(corners[at(b)]),
+                    coordinates_.xy(corners[at(c)])},
+                   e, inverted);
     if (!inverted) return;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       add_segment(corners[k], corners[(k + 1) % corners.size()], list_.inverted_lines);
@@ -287,6 +289,12 @@ DrawList clipped_draw_list(const Topology& topology, const EdgeGroups& groups,
   return ClippedMesh(topology, coordinates, box).build(groups);
 }
 
+bool shows_inverted(const Topology& topology, const Coordinates& coordinates, Index element) {
+  return topology.element_type(element) == ElementType::polygon
+             ? winslow::is_inverted(topology, coordinates, element)
+             : is_inverted(coordinates, topology.element(element));
+}
+
 bool is_inverted(const Coordinates& coordinates, std::span<const Index> corners) {
   const std::size_t n = corners.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -306,6 +314,19 @@ std::array<int, 6> cut_quadrilateral(const Coordinates& coordinates,
   const double along_13 = std::min(twice_area(p[0], p[1], p[3]), twice_area(p[1], p[2], p[3]));
   if (along_02 <= 0 && along_13 > along_02) return {0, 1, 3, 1, 2, 3};
   return {0, 1, 2, 0, 2, 3};
+}
+
+void cut_element(const Topology& topology, const Coordinates& coordinates, Index element,
+                 std::vector<std::array<Index, 3>>& triangles) {
+  const auto corners = topology.element(element);
+  if (topology.element_type(element) == ElementType::polygon) {
+    triangles = cut_polygon(places_of(coordinates, corners));
+  } else if (corners.size() == 4) {
+    const auto [a, b, c, d, e, f] = cut_quadrilateral(coordinates, corners);
+    triangles.assign({{a, b, c}, {d, e, f}});
+  } else {
+    triangles.assign(1, {0, 1, 2});
+  }
 }
 
 namespace {
@@ -332,6 +353,10 @@ double edge_spacing(const Topology& topology, const Coordinates& coordinates,
   for (const Index e : edge.elements) {
     if (e < 0) continue;
     const auto corners = topology.element(e);
+    if (corners.size() > 4) {
+      spacing = std::min(spacing, 0.5 * std::abs(signed_area2(coordinates, corners)) / length);
+      continue;
+    }
     const Vec2 a = coordinates.xy(corners[0]);
     double area = std::abs(twice_area(a, coordinates.xy(corners[1]), coordinates.xy(corners[2])));
     if (corners.size() == 4) {

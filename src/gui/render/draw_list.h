@@ -64,8 +64,16 @@ inline double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-/// True if any corner has an area that is not positive (or is not a number).
+/// True if any corner of a triangle or quadrilateral has an area that is not positive (or is not a
+/// number).
 bool is_inverted(const Coordinates& coordinates, std::span<const Index> corners);
+/// The same of any plane element; of a polygon as winslow::is_inverted() has it.
+bool shows_inverted(const Topology& topology, const Coordinates& coordinates, Index element);
+
+/// Corners (positions in the element) of the triangles that fill a plane element, in `triangles`,
+/// of which the memory is used again.
+void cut_element(const Topology& topology, const Coordinates& coordinates, Index element,
+                 std::vector<std::array<Index, 3>>& triangles);
 
 /// Corners (positions in the element) of the two triangles that fill a quadrilateral: cut along a
 /// diagonal that leaves no triangle turned over, if there is one.

@@ -95,26 +95,36 @@ std::size_t place_of(const MeshError& error, const SourceMap& where) {
   return 0;
 }
 
-/// "OpenFOAM (foam), VTK (vtu)"
-std::string formats_with_polyhedra() {
+/// "OpenFOAM (foam), VTK (vtu)": those that can hold something.
+std::string formats_with(bool MeshFormat::*something) {
   std::string text;
   for (const MeshFormat* format : mesh_formats())
-    if (format->polyhedra && format->missing.empty())
+    if (format->*something && format->missing.empty())
       text += (text.empty() ? "" : ", ") + std::string(format->title) + " (" +
               std::string(format->name) + ")";
   return text;
 }
 
+/// Throws UsageError for elements of a type that a format cannot hold.
+void refuse_elements(const std::filesystem::path& path, const Topology& topology,
+                     const MeshFormat& format, ElementType type, const char* one, const char* many,
+                     bool MeshFormat::*something) {
+  const auto types = topology.element_types();
+  const auto count = std::ranges::count(types, type);
+  throw UsageError(path.string() + ": " + std::string(format.title) + " files cannot hold the " +
+                   std::to_string(count) + ' ' + (count == 1 ? one : many) + " of this mesh of " +
+                   counted(types.size(), "element") +
+                   "; formats that can: " + formats_with(something));
+}
+
 void check_dimension(const std::filesystem::path& path, const Topology& topology,
                      const MeshFormat& format) {
-  if (topology.has_polyhedra() && !format.polyhedra) {
-    const auto& types = topology.element_types();
-    const auto count = std::ranges::count(types, ElementType::polyhedron);
-    throw UsageError(path.string() + ": " + std::string(format.title) + " files cannot hold the " +
-                     std::to_string(count) + (count == 1 ? " polyhedron" : " polyhedra") +
-                     " of this mesh of " + counted(types.size(), "element") +
-                     "; formats that can: " + formats_with_polyhedra());
-  }
+  if (topology.has_polyhedra() && !format.polyhedra)
+    refuse_elements(path, topology, format, ElementType::polyhedron, "polyhedron", "polyhedra",
+                    &MeshFormat::polyhedra);
+  if (topology.has_polygons() && !format.polygons)
+    refuse_elements(path, topology, format, ElementType::polygon, "polygon", "polygons",
+                    &MeshFormat::polygons);
   if (format.can_write(topology.kind())) return;
   throw UsageError(path.string() + ": " + std::string(format.title) + " files cannot hold a " +
                    std::string(mesh_kind(topology)));
@@ -128,6 +138,26 @@ bool is_mended(ParsedMesh mesh, const Source& source) {
     return true;
   } catch (const MeshError&) {
     return false;
+  }
+}
+
+/// Makes of polygons what they are: triangles, quadrilaterals, and others, among them
+/// quadrilaterals with a flat corner. Readers make polygons of all that may be one.
+void settle_polygons(MeshData& data) {
+  for (Index e = 0; e < data.element_count(); ++e) {
+    ElementType& type = data.types[at(e)];
+    if (type != ElementType::polygon) continue;
+    const auto corners = data.element(e);
+    const bool known = std::ranges::all_of(
+        corners, [&](Index node) { return node >= 0 && node < data.node_count(); });
+    if (corners.size() == 3) type = ElementType::triangle;
+    if (corners.size() != 4 || !known) continue;
+    if (data.coordinates.dimension() == 2) {
+      std::vector<Vec2> places = places_of(data.coordinates, corners);
+      if (signed_area2(data.coordinates, corners) < 0) std::ranges::reverse(places);
+      if (corners_of_polygon(places).real != 4) continue;
+    }
+    type = ElementType::quadrilateral;
   }
 }
 
@@ -193,6 +223,7 @@ MeshFile finish(const OpenedMesh& opened, const ReadOptions& options, ParsedMesh
   file.format = opened.format;
   file.warnings = std::move(warnings);
   turn_to_viewer(parsed);
+  settle_polygons(parsed.data);
   file.warnings.insert(file.warnings.end(), parsed.warnings.begin(), parsed.warnings.end());
   if (options.defects == Defects::repair) {
     const auto mended = repair(parsed, opened.source);

@@ -49,6 +49,7 @@ struct MeshFormat {
   /// a volume mesh.
   std::array<bool, 3> writes{true, true, true};
   bool polyhedra = false;  ///< true: the format can hold cells with any faces
+  bool polygons = false;   ///< true: the format can hold plane cells with any corners
   bool keeps_markers = true;
   bool keeps_periodic = false;  ///< true: the writer itself handles periodic sides
   bool keeps_data = false;      ///< true: the writer itself handles the data arrays of a source

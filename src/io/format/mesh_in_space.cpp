@@ -171,13 +171,9 @@ int coordinates_in_file(const Mesh& mesh, const FormatDetails* details) {
 Vec3 MeshInSpace::node(Index i) const { return place_in_space(details_, mesh_.coordinates, i); }
 
 FileCorners MeshInSpace::element(Index e) const {
-  const auto corners = mesh_.topology->element(e);
-  FileCorners file;
-  file.count = corners.size();
-  std::ranges::copy(corners, file.nodes.begin());
+  FileCorners file(mesh_.topology->element(e));
   // Reversing keeps the first corner.
-  if (from_behind(mesh_, details_))
-    std::reverse(file.nodes.begin() + 1, file.nodes.begin() + file.count);
+  if (from_behind(mesh_, details_)) std::ranges::reverse(file.span().subspan(1));
   return file;
 }
 

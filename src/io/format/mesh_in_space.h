@@ -55,16 +55,29 @@ class PlanePlacement {
 /// Largest distance of points (as above, at least one) from the plane that fits them best.
 double distance_from_plane(const std::vector<double>& xyz);
 
-/// Corners of an element in the direction of the file.
-struct FileCorners {
-  std::array<Index, 8> nodes{};
-  std::size_t count = 0;
+/// Corners of an element in the direction of the file. Up to eight are stored in place.
+class FileCorners {
+ public:
+  FileCorners() = default;
+  explicit FileCorners(std::span<const Index> nodes) : count_(nodes.size()) {
+    if (is_long()) many_.resize(count_);
+    std::ranges::copy(nodes, data());
+  }
 
-  std::size_t size() const { return count; }
-  Index operator[](std::size_t k) const { return nodes[k]; }
-  const Index* data() const { return nodes.data(); }
-  const Index* begin() const { return nodes.data(); }
-  const Index* end() const { return nodes.data() + count; }
+  std::size_t size() const { return count_; }
+  Index operator[](std::size_t k) const { return data()[k]; }
+  Index* data() { return is_long() ? many_.data() : few_.data(); }
+  const Index* data() const { return is_long() ? many_.data() : few_.data(); }
+  const Index* begin() const { return data(); }
+  const Index* end() const { return data() + count_; }
+  std::span<Index> span() { return {data(), count_}; }
+
+ private:
+  bool is_long() const { return count_ > few_.size(); }
+
+  std::array<Index, 8> few_{};
+  std::size_t count_ = 0;
+  std::vector<Index> many_;  // of a polygon, or a face of a polyhedron, with more
 };
 
 /// The mesh that formats with three coordinates write: a plane mesh in the plane of its file, or a

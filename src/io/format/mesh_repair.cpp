@@ -91,6 +91,11 @@ class Mender {
 
   template <class Visit>
   void for_each_side(const Item& item, Visit visit) const {
+    if (item.type == ElementType::polygon) {
+      for (std::size_t k = 0, n = item.corners.size(); k < n; ++k)
+        visit(Face(item.corners[k], item.corners[(k + 1) % n]));
+      return;
+    }
     for (const Face& face : shape_of(item.type).faces)
       visit(by_nodes(face, std::span<const Index>(item.corners)));
   }
@@ -106,9 +111,11 @@ class Mender {
 
   /// True if an element has all its corners, and the mesh has their points.
   bool is_known(const Item& item) const {
-    return item.corners.size() == at(corner_count(item.type)) &&
-           std::ranges::all_of(item.corners,
-                               [&](Index node) { return node >= 0 && node < x_.size(); });
+    const bool complete = item.type == ElementType::polygon
+                              ? item.corners.size() >= 3
+                              : item.corners.size() == at(corner_count(item.type));
+    return complete && std::ranges::all_of(
+                           item.corners, [&](Index node) { return node >= 0 && node < x_.size(); });
   }
 
   void drop_unknown_corners() {
@@ -170,8 +177,9 @@ class Mender {
   /// Makes of an element what its distinct corners are. Returns false if that is nothing.
   bool collapse(Item& item, const std::vector<Index>& distinct) const {
     if (dimension_ == 2) {
-      if (distinct.size() != 3) return false;
-      item.type = ElementType::triangle;
+      const bool polygon = item.type == ElementType::polygon && distinct.size() > 3;
+      if (distinct.size() != 3 && !polygon) return false;
+      if (!polygon) item.type = ElementType::triangle;
       item.corners = distinct;
       return true;
     }
@@ -265,6 +273,13 @@ class Mender {
     std::size_t k = 0;
     while (Face(old.corners[k], old.corners[(k + 1) % n]).sorted() != edge) ++k;
     const auto corner = [&](std::size_t step) { return old.corners[(k + step) % n]; };
+    if (old.type == ElementType::polygon) {  // it gets a flat corner
+      items_[*other].corners.insert(
+          items_[*other].corners.begin() + static_cast<std::ptrdiff_t>(k) + 1, middle);
+      items_[flat].gone = true;
+      cut.add(old.place);
+      return;
+    }
     const auto triangle = [&](Index a, Index b, Index c) {
       return Item{ElementType::triangle, {a, b, c}, old.region, old.place};
     };
@@ -461,8 +476,9 @@ class Mender {
       data.add_element(item.type, corners);
       where.elements.push_back(item.place);
       if (!mesh_.data.element_region.empty()) data.element_region.push_back(item.region);
-      for (const Face& face : shape_of(item.type).faces)
-        sides.insert(by_nodes(face, std::span<const Index>(corners)).sorted());
+      Item renumbered = item;
+      renumbered.corners = std::move(corners);
+      for_each_side(renumbered, [&](const Face& face) { sides.insert(face.sorted()); });
     }
     take_markers(sides, data, where, lost);
     say(lost, "face of a marker is no side of an element any more: left out",

@@ -173,9 +173,7 @@ class Writer {
   FileCorners nodes_of(const Item& item) const {
     const std::span<const Index> nodes = details_.nodes_beside(item);
     if (nodes.empty()) return space_.element(item.index);
-    FileCorners corners{{}, nodes.size()};
-    std::ranges::copy(nodes, corners.nodes.begin());
-    return corners;
+    return FileCorners(nodes);
   }
 
   void write_elements_2() {

@@ -165,7 +165,9 @@ class Extrusion {
     const auto corners = topology_.element(0);
     const auto point = [&](Index p) { return Vec3(out_.xyz.data() + 3 * at(p)); };
     const Vec3 a = point(base_[at(corners[0])]);
-    const Vec3 normal = (point(base_[at(corners[1])]) - a).cross(point(base_[at(corners[2])]) - a);
+    Vec3 normal(0, 0, 0);
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+      normal += (point(base_[at(corners[k])]) - a).cross(point(base_[at(corners[k + 1])]) - a);
     Vec3 up(0, 0, 0);
     for (const Index corner : corners) up += point(copy_[at(corner)]) - point(base_[at(corner)]);
     copy_above_ = normal.dot(up) > 0;

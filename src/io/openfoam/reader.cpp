@@ -84,22 +84,26 @@ class Reader {
       const Index f = thin().base_faces()[at(cell)];
       std::vector<Index>& corners = cells.emplace_back();
       for (const Index point : mesh().faces[f]) corners.push_back(thin().node_of(point));
-      if (corners.size() != 3 && corners.size() != 4)
+      if (corners.size() < 3 || corners.size() > most_polygon_corners)
         source_.fail(mesh().faces.places[at(f)],
                      "cell " + std::to_string(cell) + ", a polygon of " +
                          std::to_string(corners.size()) + " corners one cell thick",
-                     "triangles and quadrilaterals");
+                     "3 to " + std::to_string(most_polygon_corners));
       for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
         const Vec2 a = x[corners[k]] - x[corners[0]], b = x[corners[k + 1]] - x[corners[0]];
         area2 += a.x() * b.y() - a.y() * b.x();
       }
       out_.where.elements.push_back(mesh().faces.places[at(f)]);
     }
+    // Beside polygons, one with four corners may be a triangle with a hanging node.
+    const bool many = std::ranges::any_of(cells, [](const auto& c) { return c.size() > 4; });
     for (std::vector<Index>& corners : cells) {
       // Faces of one side all go round in one direction.
       if (area2 < 0) std::reverse(corners.begin() + 1, corners.end());
-      out_.data.add_element(
-          corners.size() == 3 ? ElementType::triangle : ElementType::quadrilateral, corners);
+      out_.data.add_element(corners.size() == 3 ? ElementType::triangle
+                            : many              ? ElementType::polygon
+                                                : ElementType::quadrilateral,
+                            corners);
     }
   }
 

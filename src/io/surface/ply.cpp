@@ -189,6 +189,7 @@ class Reader {
                  const Expected& expected) {
     const Index size = whole_number(*property.list_size, expected);
     corners_.clear();
+    if (corners) builder_.require_corners(static_cast<std::size_t>(size), offset);
     for (Index k = 0; k < size; ++k) {
       if (!corners) {
         number(property.type, expected);
@@ -215,10 +216,13 @@ std::vector<std::string> write_ply(std::ostream& stream, const Mesh& mesh,
   static_assert(std::endian::native == std::endian::little);
   TextWriter out(stream);
   const WrittenSurface surface(mesh, source);
+  const bool short_lists = std::ranges::all_of(
+      surface.faces(), [](const FileCorners& corners) { return corners.size() < 256; });
   out << "ply\nformat " << (binary ? "binary_little_endian" : "ascii") << " 1.0\nelement vertex "
       << surface.node_count()
       << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-      << surface.faces().size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+      << surface.faces().size() << "\nproperty list " << (short_lists ? "uchar" : "ushort")
+      << " int vertex_indices\nend_header\n";
   for (Index i = 0; i < surface.node_count(); ++i) {
     const Vec3 p = surface.node(i);
     const std::array<double, 3> xyz{p.x(), p.y(), p.z()};
@@ -230,7 +234,10 @@ std::vector<std::string> write_ply(std::ostream& stream, const Mesh& mesh,
   }
   for (const FileCorners& corners : surface.faces()) {
     if (binary) {
-      out.raw(static_cast<std::uint8_t>(corners.size()));
+      if (short_lists)
+        out.raw(static_cast<std::uint8_t>(corners.size()));
+      else
+        out.raw(static_cast<std::uint16_t>(corners.size()));
       for (const Index node : corners) out.raw(node);
       continue;
     }
@@ -250,6 +257,7 @@ const MeshFormat ply_format{
     .markers = "lost",
     .regions = "lost",
     .volumes = "boundary only",
+    .polygons = true,
     .keeps_markers = false,
     .has_binary = true,
     .recognise = [](const Content& content) { return signature_if(content.first_line == "ply"); },

@@ -206,22 +206,33 @@ ParsedMesh read_binary(Source& source) {
   return facets.finish(true);
 }
 
-/// Calls `facet(a, b, c)` for a triangle, and for both halves of a quadrilateral.
+/// Calls `facet(a, b, c)` for a triangle, for both halves of a quadrilateral, and for the triangles
+/// of a polygon.
 template <class Facet>
-void for_each_facet(const FileCorners& n, Facet&& facet) {
+void for_each_facet(const WrittenSurface& surface, const FileCorners& n, Facet&& facet) {
+  if (n.size() > 4) {
+    const Vec3 normal = surface.normal(n);
+    const Vec3 u = normal.isZero() ? Vec3(Vec3::UnitX()) : Vec3(normal.unitOrthogonal());
+    const Vec3 v = normal.isZero() ? Vec3(Vec3::UnitY()) : Vec3(normal.cross(u));
+    std::vector<Vec2> places;
+    for (const Index node : n)
+      places.emplace_back(u.dot(surface.node(node)), v.dot(surface.node(node)));
+    for (const auto& [a, b, c] : cut_polygon(places)) facet(n[at(a)], n[at(b)], n[at(c)]);
+    return;
+  }
   facet(n[0], n[1], n[2]);
   if (n.size() == 4) facet(n[0], n[2], n[3]);
 }
 
 std::uint32_t written_facets(const WrittenSurface& surface) {
   std::uint32_t n = 0;
-  for (const FileCorners& face : surface.faces()) n += face.size() == 3 ? 1 : 2;
+  for (const FileCorners& face : surface.faces()) n += static_cast<std::uint32_t>(face.size() - 2);
   return n;
 }
 
 /// Normal of a triangle of the surface, without negative zeros.
 Vec3 facet_normal(const WrittenSurface& surface, Index a, Index b, Index c) {
-  return surface.normal({{a, b, c}, 3}) + Vec3::Zero();
+  return surface.normal(FileCorners(std::array{a, b, c})) + Vec3::Zero();
 }
 
 /// A named set of faces of the surface.
@@ -260,7 +271,7 @@ void write_solid(TextWriter& out, const WrittenSurface& surface, const Solid& so
   const std::string name = within_line(solid.name);
   out << "solid " << name << '\n';
   for (const std::size_t f : solid.faces) {
-    for_each_facet(surface.faces()[f], [&](Index a, Index b, Index c) {
+    for_each_facet(surface, surface.faces()[f], [&](Index a, Index b, Index c) {
       const Vec3 n = facet_normal(surface, a, b, c);
       out << "facet normal " << n.x() << ' ' << n.y() << ' ' << n.z() << "\nouter loop\n";
       for (const Index node : {a, b, c}) {
@@ -280,7 +291,7 @@ bool write_binary(TextWriter& out, const WrittenSurface& surface) {
   out.raw(header);
   out.raw(written_facets(surface));
   for (const FileCorners& face : surface.faces()) {
-    for_each_facet(face, [&](Index a, Index b, Index c) {
+    for_each_facet(surface, face, [&](Index a, Index b, Index c) {
       const Eigen::Vector3f n = facet_normal(surface, a, b, c).cast<float>();
       out.raw(std::array<float, 3>{n.x(), n.y(), n.z()});
       for (const Index node : {a, b, c}) {
@@ -352,6 +363,7 @@ const MeshFormat stl_format{.name = "stl",
                             .regions = "yes, solids of text files",
                             .quadrilaterals = "become triangles",
                             .volumes = "boundary only, a solid for each marker in text",
+                            .polygons = true,  // cut into triangles
                             .keeps_markers = false,
                             .has_binary = true,
                             .recognise = recognise_stl,

@@ -14,17 +14,26 @@ void Builder::add_vertex(double x, double y, double z, std::size_t offset) {
 }
 
 void Builder::add_face(std::span<const Index> corners, std::size_t offset) {
-  if (corners.size() != 3 && corners.size() != 4) {
-    source_.fail(offset, "a face with " + std::to_string(corners.size()) + " corners",
-                 "a triangle or a quadrilateral");
-  }
-  mesh_.data.add_element(corners.size() == 3 ? ElementType::triangle : ElementType::quadrilateral,
-                         corners);
+  require_corners(corners.size(), offset);
+  const ElementType type = corners.size() == 3   ? ElementType::triangle
+                           : corners.size() == 4 ? ElementType::quadrilateral
+                                                 : ElementType::polygon;
+  polygons_ |= type == ElementType::polygon;
+  mesh_.data.add_element(type, corners);
   mesh_.where.elements.push_back(offset);
+}
+
+void Builder::require_corners(std::size_t count, std::size_t offset) const {
+  if (count >= 3 && count <= most_polygon_corners) return;
+  source_.fail(offset, "a face with " + std::to_string(count) + " corners",
+               "3 to " + std::to_string(most_polygon_corners));
 }
 
 ParsedMesh Builder::finish(bool binary) {
   if (mesh_.data.types.empty()) source_.fail(source_.text().size(), "no faces", "a mesh");
+  // Beside polygons, one with four corners may be a triangle with a hanging node.
+  if (polygons_)
+    std::ranges::replace(mesh_.data.types, ElementType::quadrilateral, ElementType::polygon);
   set_nodes(source_, xyz_, mesh_);
   mesh_.details->binary = binary;
   for (const std::string& what : dropped_)
@@ -52,14 +61,14 @@ void WrittenSurface::add_boundary(const Topology& topology) {
     const auto [face, elements] = topology.face(f);
     if (elements[1] >= 0 || taken[static_cast<std::size_t>(f)]) return;
     taken[static_cast<std::size_t>(f)] = true;
-    FileCorners corners;
-    for (const Index node : face) {
+    FileCorners corners({face.begin(), face.size()});
+    for (Index& node : corners.span()) {
       Index& own = number[static_cast<std::size_t>(node)];
       if (own < 0) {
         own = node_count();
         nodes_.push_back(node);
       }
-      corners.nodes[corners.count++] = own;
+      node = own;
     }
     faces_.push_back(corners);
   };
@@ -77,12 +86,21 @@ void WrittenSurface::add_boundary(const Topology& topology) {
 
 Vec3 WrittenSurface::normal(const FileCorners& corners) const {
   if (plane_) return space_.normal();
+  if (corners.size() > 4) return normal_of_polygon(corners);
   // Use the diagonals of a quadrilateral, because it need not be planar.
   const Vec3 a = node(corners[2]) - node(corners[0]);
   const Vec3 b = node(corners[corners.size() - 1]) - node(corners[1]);
   const Vec3 n = corners.size() == 3 ? (node(corners[1]) - node(corners[0])).cross(a) : a.cross(b);
   const double length = n.norm();
   return length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero());
+}
+
+Vec3 WrittenSurface::normal_of_polygon(const FileCorners& corners) const {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+    sum += (node(corners[k]) - node(corners[0])).cross(node(corners[k + 1]) - node(corners[0]));
+  const double length = sum.norm();
+  return length > 0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
 
 std::vector<std::string> lost_in_surface(const Mesh& mesh, bool keeps_groups, bool keeps_regions) {
@@ -275,6 +293,7 @@ ParsedMesh read_off(Source& source) {
   const Index vertices = scan.count({"the number of vertices"}, 4);
   const Index faces = scan.count({"the number of faces"}, 4);
   scan.line();
+  std::vector<Index> corners;
   for (Index i = 0; i < vertices; ++i) {
     const Expected expected{"vertex", i, vertices};
     begin_record(scan, expected);
@@ -289,15 +308,10 @@ ParsedMesh read_off(Source& source) {
     begin_record(scan, expected);
     const std::size_t offset = scan.offset();
     const Index size = scan.index({"the number of corners of face", f, faces});
-    std::array<Index, 4> corners{};
-    if (size != 3 && size != 4) {
-      source.fail(offset, "a face with " + std::to_string(size) + " corners",
-                  "a triangle or a quadrilateral");
-    }
-    for (Index k = 0; k < size; ++k) {
-      corners[static_cast<std::size_t>(k)] = scan.index({"a vertex of face", f, faces});
-    }
-    builder.add_face({corners.data(), static_cast<std::size_t>(size)}, offset);
+    builder.require_corners(static_cast<std::size_t>(size), offset);
+    corners.clear();
+    for (Index k = 0; k < size; ++k) corners.push_back(scan.index({"a vertex of face", f, faces}));
+    builder.add_face(corners, offset);
     const auto more = scan.word();
     if (!more.empty() && more.front() != '#') builder.drops("colours");
     scan.line();
@@ -333,6 +347,7 @@ const MeshFormat obj_format{
     .markers = "lost",
     .regions = "lost",
     .volumes = "boundary only, a group for each marker",
+    .polygons = true,
     .keeps_markers = false,
     .recognise = [](const Content& content) { return keyword_on_line(content, is_obj_keyword); },
     .read = read_obj,
@@ -344,6 +359,7 @@ const MeshFormat off_format{
     .markers = "lost",
     .regions = "lost",
     .volumes = "boundary only",
+    .polygons = true,
     .keeps_markers = false,
     .recognise =
         [](const Content& content) {
@@ -369,7 +385,7 @@ MeshCounts written_counts(const std::filesystem::path& path, const Mesh& mesh,
   const bool triangles = format == &surface::stl_format;
   MeshCounts counts{surface.node_count(), 0, 0};
   for (const FileCorners& face : surface.faces())
-    counts.elements += triangles && face.size() == 4 ? 2 : 1;
+    counts.elements += triangles ? static_cast<Index>(face.size()) - 2 : 1;
   return counts;
 }
 

@@ -24,8 +24,9 @@ class Builder {
   Index vertices() const { return static_cast<Index>(xyz_.size() / 3); }
 
   void add_vertex(double x, double y, double z, std::size_t offset);
-  /// Throws InputError if the face is neither a triangle nor a quadrilateral. Its vertices may be
-  /// added later.
+  /// Throws InputError unless a face may have so many corners.
+  void require_corners(std::size_t count, std::size_t offset) const;
+  /// Throws InputError as require_corners(). Its vertices may be added later.
   void add_face(std::span<const Index> corners, std::size_t offset);
   /// Throws InputError if there is no face, or if a coordinate is not finite.
   ParsedMesh finish(bool binary = false);
@@ -35,6 +36,7 @@ class Builder {
   ParsedMesh mesh_;
   std::vector<double> xyz_;
   std::set<std::string> dropped_;
+  bool polygons_ = false;  // a face has more than four corners
 };
 
 /// The polygons to write: the elements of a plane or surface mesh with all its nodes, or the
@@ -59,6 +61,7 @@ class WrittenSurface {
 
  private:
   void add_boundary(const Topology& topology);
+  Vec3 normal_of_polygon(const FileCorners& corners) const;
 
   MeshInSpace space_;
   bool plane_;

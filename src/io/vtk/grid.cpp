@@ -15,6 +15,7 @@ CellType cell_type_of(const Face& face) {
 }
 
 CellType cell_type_of(ElementType type) {
+  if (type == ElementType::polygon) return polygon;
   static constexpr std::array<CellType, 6> types{triangle, quadrilateral, tetrahedron,
                                                  pyramid,  wedge,         hexahedron};
   return types[static_cast<std::size_t>(type)];
@@ -27,7 +28,7 @@ int dimension_of_cell(std::int64_t type) {
 }
 
 std::optional<ElementType> element_of(std::int64_t type, std::size_t corners) {
-  if (type == polygon) type = corners == 3 ? triangle : quadrilateral;
+  if (type == polygon) return corners == 3 ? ElementType::triangle : ElementType::polygon;
   if (type == pixel) type = quadrilateral;
   if (type == voxel) type = hexahedron;
   for (const ElementType element : fixed_element_types)
@@ -137,6 +138,12 @@ class MeshBuilder {
         std::to_string(size));
   }
 
+  void require_polygon(std::size_t c, const std::vector<Index>& nodes) const {
+    if (nodes.size() >= 3 && nodes.size() <= most_polygon_corners) return;
+    source_.fail(grid_.cell_places[c], std::to_string(nodes.size()) + " nodes in a polygon (7)",
+                 "3 to " + std::to_string(most_polygon_corners));
+  }
+
   void add_cell(std::size_t c) {
     std::vector<Index> nodes = corners(c);
     const std::int64_t type = grid_.types[c];
@@ -159,7 +166,10 @@ class MeshBuilder {
     if (type == polygon && dimension_ == 3 && nodes.size() > 4) return add_side(c, Face(nodes));
     const auto element = element_of(type, nodes.size());
     if (!element) refuse(c);
-    require_size(c, nodes, static_cast<std::size_t>(corner_count(*element)));
+    if (*element == ElementType::polygon)
+      require_polygon(c, nodes);
+    else
+      require_size(c, nodes, static_cast<std::size_t>(corner_count(*element)));
     if (type == pixel || type == voxel) std::swap(nodes[2], nodes[3]);
     if (type == voxel) std::swap(nodes[6], nodes[7]);
     if (type == wedge) mirror_prism(nodes);
@@ -171,14 +181,16 @@ class MeshBuilder {
     const auto type = grid_.types[c];
     const bool other_solid = type == 41;
     const bool high_order = type >= 21 && type <= 81;
-    source_.fail(grid_.cell_places[c],
-                 "cell type " + std::to_string(type) +
-                     (other_solid  ? " (a convex set of points)"
-                      : high_order ? " (second or higher order)"
-                                   : ""),
-                 std::string("a line (3), triangle (5), quadrilateral (9), tetrahedron (10), "
-                             "hexahedron (12), wedge (13), pyramid (14) or polyhedron (42)") +
-                     (high_order && !other_solid ? first_order_hint(source_.name()) : ""));
+    source_.fail(
+        grid_.cell_places[c],
+        "cell type " + std::to_string(type) +
+            (other_solid  ? " (a convex set of points)"
+             : high_order ? " (second or higher order)"
+                          : ""),
+        std::string(
+            "a line (3), triangle (5), polygon (7), quadrilateral (9), "
+            "tetrahedron (10), hexahedron (12), wedge (13), pyramid (14) or polyhedron (42)") +
+            (high_order && !other_solid ? first_order_hint(source_.name()) : ""));
   }
 
   void add_side(std::size_t c, const Face& face) {
@@ -396,7 +408,7 @@ class GridBuilder {
       grid_.add_polyhedron(corners, faces);
     } else {
       FileCorners corners = space_.element(e);
-      if (type == ElementType::prism) mirror_prism(corners.nodes);
+      if (type == ElementType::prism) mirror_prism(corners.span());
       grid_.add_cell(cell_type_of(type), {corners.data(), corners.size()});
     }
     grid_.marker.push_back(0);

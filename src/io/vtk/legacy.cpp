@@ -249,9 +249,17 @@ class LegacyReader {
       read_cell_list(static_cast<std::size_t>(n), static_cast<std::size_t>(size), here);
     }
     if (type == 0) return;
-    for (std::size_t c = before; c < cell_count(); ++c)
-      grid_.types.push_back(
-          type_of_polygon(type, static_cast<std::size_t>(grid_.offsets[c + 1] - grid_.offsets[c])));
+    const auto nodes = [&](std::size_t c) {
+      return static_cast<std::size_t>(grid_.offsets[c + 1] - grid_.offsets[c]);
+    };
+    bool many = false;
+    for (std::size_t c = before; c < cell_count(); ++c) many |= type == polygon && nodes(c) > 4;
+    for (std::size_t c = before; c < cell_count(); ++c) {
+      const std::int64_t own = type_of_polygon(type, nodes(c));
+      // Beside polygons, one of four nodes may be a triangle with a hanging node.
+      grid_.types.push_back(many && own == quadrilateral ? static_cast<std::int64_t>(polygon)
+                                                         : own);
+    }
   }
 
   /// The type of a cell of polygon data with that many nodes.
@@ -494,6 +502,7 @@ const MeshFormat legacy_format{
     .encodings = "text, binary",
     .markers = "yes, see below",
     .polyhedra = true,
+    .polygons = true,
     .keeps_data = true,
     .has_binary = true,
     .recognise =

@@ -395,6 +395,7 @@ const MeshFormat vtu_format{
         "text, inline base64, appended raw and base64, zlib, LZ4 (written as text or appended raw)",
     .markers = "yes, see below",
     .polyhedra = true,
+    .polygons = true,
     .keeps_data = true,
     .has_binary = true,
     .recognise =

@@ -195,8 +195,8 @@ TEST_CASE("keep: the energy of one triangle is that of its definition") {
                             0.1 * weight_of_guard * guard(seen / std::max(1.4, given), 8);
     CellTargets<2> targets;
     targets.cells = {{0, 1, 2}};
-    append(targets,
-           kept_terms(ElementType::triangle, regular, TargetMetric::of<2>(own[0], own[1]), 0.7));
+    append(targets, kept_terms(shape_of(ElementType::triangle), regular,
+                               TargetMetric::of<2>(own[0], own[1]), 0.7));
     const std::array<double, 6> x{0, 0, now[0].x(), now[0].y(), now[1].x(), now[1].y()};
     const std::array<Index, 2> offsets{0, 2};
     distortion::SimplexData data;
@@ -224,7 +224,7 @@ TEST_CASE("keep: elements count as much as the simplices that fill them") {
   CHECK(weight(ElementType::prism) == doctest::Approx(std::sqrt(3.0) / 4 / tetrahedron));
   CHECK(weight(ElementType::pyramid) == doctest::Approx(std::sqrt(2.0) / 6 / tetrahedron));
   const auto flat = TargetMetric::of_angle(pi / 2);
-  CHECK(kept_terms(ElementType::quadrilateral, flat, flat, 1).own.weight ==
+  CHECK(kept_terms(shape_of(ElementType::quadrilateral), flat, flat, 1).own.weight ==
         doctest::Approx(4 / std::sqrt(3.0)));
 }
 

@@ -39,15 +39,15 @@ TEST_CASE("metrics of the best elements are at their best, inverted ones beyond 
   for (const Metric metric : all_metrics()) {
     CAPTURE(metric_name(metric));
     const MetricInfo& info = metric_info(metric);
-    const double best = info.of_element(good), worst = info.of_element(inverted);
+    const double best = info.of_element({good}), worst = info.of_element({inverted});
     CHECK((info.field.larger_is_better ? best > worst : best < worst));
     CHECK((info.field.larger_is_better ? worst < info.field.threshold
                                        : worst > info.field.threshold));
     if (!info.of_corner) continue;
     for (const Corner& corner : good) CHECK((corner.*info.of_corner)() == doctest::Approx(best));
   }
-  CHECK(metric_info(Metric::aspect_ratio).of_element(good) == doctest::Approx(1));
-  CHECK(metric_info(Metric::area).of_element(good) == doctest::Approx(std::sqrt(0.75) / 2));
+  CHECK(metric_info(Metric::aspect_ratio).of_element({good}) == doctest::Approx(1));
+  CHECK(metric_info(Metric::area).of_element({good}) == doctest::Approx(std::sqrt(0.75) / 2));
 }
 
 TEST_CASE("a report has what the table says is reported, and nothing of the others") {
@@ -69,7 +69,7 @@ TEST_CASE("angles and skewness of triangles and quadrilaterals that are known by
     std::vector<Corner> corners;
     for (std::size_t k = 0; k < p.size(); ++k)
       corners.emplace_back(p[k], p[(k + 1) % p.size()], p[(k + p.size() - 1) % p.size()]);
-    return metric_info(metric).of_element(corners);
+    return metric_info(metric).of_element({corners});
   };
   const double steep = std::sqrt(3.0);
   const std::vector<Vec2> half_square{{0, 0}, {1, 0}, {0, 1}};

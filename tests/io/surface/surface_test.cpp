@@ -109,7 +109,7 @@ TEST_CASE("OBJ: bad input is refused with file and line") {
                  "a.obj:15: found '0', expected the number of a vertex");
   CHECK_CONTAINS(error("f 6 9 8", "f 6 -10 8"), "a.obj:15: found '-10'");
   CHECK_CONTAINS(error("f 6 9 8", "f 6 9"), "a.obj:15: found a face with 2 corners");
-  CHECK_CONTAINS(error("f 6 9 8", "f 6 9 8 7 1"), "a.obj:15: found a face with 5 corners");
+  CHECK_CONTAINS(error("f 6 9 8", "f 6 9 8 7 1"), "a.obj:15: element 5 ");
   CHECK_CONTAINS(error("v 1 0.5 0", "v 1 0.5"), "a.obj:6: found the end of the line");
   CHECK_CONTAINS(error("v 1 0.5 0", "v 1 nan 0"), "a.obj:6: found nan");
   CHECK(
@@ -130,7 +130,7 @@ TEST_CASE("OFF: bad input is refused with file and line; comments and colours ar
   CHECK_CONTAINS(error("9 6 0", "9 5 0"), "a.off:17: found '3', expected the end of the file");
   CHECK_CONTAINS(error("9 6 0", "9000000000 6 0"), "a.off:2: found 9000000000");
   CHECK_CONTAINS(error("3 5 8 7", "3 5 9 7"), "a.off:17: element 5 uses node 9");
-  CHECK_CONTAINS(error("3 5 8 7", "5 5 8 7 1 2"), "a.off:17: found a face with 5 corners");
+  CHECK_CONTAINS(error("3 5 8 7", "2 5 8"), "a.off:17: found a face with 2 corners");
   CHECK_CONTAINS(error("3 5 8 7", "3 5 8"), "a.off:17: found the end of the");
   CHECK_CONTAINS(error("1 0.5 0", "1 nan 0"), "a.off:8: found nan");
   CHECK_CONTAINS(error("OFF\n", "OFF BINARY\n"), "found a binary OFF file");

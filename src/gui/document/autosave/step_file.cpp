@@ -416,10 +416,10 @@ bool element_rows_fit(const MeshData& data) {
   const auto& offsets = data.element_offsets;
   if (offsets.size() != data.types.size() + 1 || offsets.front() != 0) return false;
   for (std::size_t e = 0; e < data.types.size(); ++e) {
-    if (data.types[e] > ElementType::polyhedron) return false;
+    if (static_cast<std::size_t>(data.types[e]) >= element_type_count) return false;
     // The order of the checks avoids overflow of damaged numbers.
     if (offsets[e] < 0 || offsets[e + 1] < offsets[e]) return false;
-    if (data.types[e] != ElementType::polyhedron &&
+    if (data.types[e] != ElementType::polyhedron && data.types[e] != ElementType::polygon &&
         offsets[e + 1] - offsets[e] != corner_count(data.types[e]))
       return false;
   }

@@ -120,17 +120,18 @@ class MeshDrawing : PlaneDrawing {
   void add_element(Index e) {
     const auto corners = topology().element(e);
     const Coordinates& x = figure_.mesh.coordinates;
-    if (corners.size() == 3 || !is_inverted(x, corners)) {
+    if (corners.size() == 3 || !shows_inverted(topology(), x, e)) {
       std::vector<ScreenPoint> polygon;
       for (const Index node : corners) polygon.push_back(at(node));
-      // The polygon of a valid quadrilateral is convex, as clipping needs it.
+      // Clipping makes one polygon of a simple one: its parts outside lie on the rim.
       return add_polygon(std::move(polygon));
     }
-    const auto cut = cut_quadrilateral(x, corners);
-    for (const std::size_t t : {0U, 3U})
-      add_polygon({at(corners[static_cast<std::size_t>(cut[t])]),
-                   at(corners[static_cast<std::size_t>(cut[t + 1])]),
-                   at(corners[static_cast<std::size_t>(cut[t + 2])])});
+    std::vector<std::array<Index, 3>> triangles;
+    cut_element(topology(), x, e, triangles);
+    for (const auto& [a, b, c] : triangles)
+      add_polygon({at(corners[static_cast<std::size_t>(a)]),
+                   at(corners[static_cast<std::size_t>(b)]),
+                   at(corners[static_cast<std::size_t>(c)])});
   }
 
   bool seen(Index e) const {
@@ -157,7 +158,7 @@ class MeshDrawing : PlaneDrawing {
     std::vector<Index> inverted;
     for (Index e = 0; e < topology().element_count(); ++e) {
       if (!seen(e)) continue;
-      if (figure_.mark_inverted && is_inverted(figure_.mesh.coordinates, topology().element(e)))
+      if (figure_.mark_inverted && shows_inverted(topology(), figure_.mesh.coordinates, e))
         inverted.push_back(e);
       else
         by_color[color_of(e)].push_back(e);
