@@ -10,7 +10,7 @@
 #include "core/formulation/distortion.h"
 #include "core/parallel/parallel_for.h"
 #include "support/formulations.h"
-#include "support/meshes.h"
+#include "support/polygon_meshes.h"
 #include "support/vcv.h"
 
 using namespace winslow;
@@ -24,10 +24,10 @@ struct Sample {
 };
 
 /// A valid mesh, its nodes moved at random, with VCVs of random angles and lengths.
-Sample make_sample(std::uint64_t seed, Cells cells) {
+Sample make_sample(std::uint64_t seed, const MeshData& data, double perturbation = 0.15) {
   Random random(seed);
-  Mesh mesh = make_mesh(square_with_hole(10, cells));
-  perturb(mesh, random, 0.15);
+  Mesh mesh = make_mesh(data);
+  perturb(mesh, random, perturbation);
   VirtualControlVolumes vcv(mesh.topology);
   for (const Index node : mesh.topology->interior_nodes()) {
     const auto n = static_cast<Index>(vcv.angles(node).size());
@@ -37,6 +37,10 @@ Sample make_sample(std::uint64_t seed, Cells cells) {
     vcv.set(node, random_angles(random, n), lengths);
   }
   return {std::move(mesh), std::move(vcv)};
+}
+
+Sample make_sample(std::uint64_t seed, Cells cells) {
+  return make_sample(seed, square_with_hole(10, cells));
 }
 
 VariationalWinslow formulation(const Sample& sample, const TargetBlend& blend,
@@ -118,12 +122,19 @@ Coordinates boundary_displacement(const Topology& topology, Random& random) {
 
 TEST_CASE("the gradient is that of the energy, the Hessian that of the gradient") {
   std::uint64_t seed = 0;
-  for (const Cells cells : {Cells::triangles, Cells::quads, Cells::mixed}) {
+  constexpr double much = 0.15, little = 0.05;
+  const std::vector<std::pair<MeshData, double>> meshes{
+      {square_with_hole(10, Cells::triangles), much},
+      {square_with_hole(10, Cells::quads), much},
+      {square_with_hole(10, Cells::mixed), much},
+      {quadtree_with_hole(8), little},
+      {dual_of(make_mesh(square_with_hole(8, Cells::triangles))), little}};
+  for (const auto& [data, perturbation] : meshes) {
     for (const TargetBlend& blend : blends) {
       for (const PenaltyOptions& penalty : penalties) {
-        CAPTURE(name_of(cells));
+        CAPTURE(data.element_count());
         CAPTURE(penalty.exponent);
-        Sample sample = make_sample(++seed, cells);
+        Sample sample = make_sample(++seed, data, perturbation);
         Random random(seed);
         const VariationalWinslow energy = formulation(sample, blend, penalty);
         // Off the rest mesh, where the gradient of its own shapes vanishes.

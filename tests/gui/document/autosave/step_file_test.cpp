@@ -139,7 +139,7 @@ TEST_CASE("elements that make no sense are refused before a mesh is built of the
       [](MeshData& d) { d.element_offsets.clear(); },
       [](MeshData& d) { d.element_nodes.pop_back(); },
       [](MeshData& d) { d.types[0] = ElementType::quadrilateral; },
-      [](MeshData& d) { d.types[0] = static_cast<ElementType>(7); },
+      [](MeshData& d) { d.types[0] = static_cast<ElementType>(element_type_count); },
       [](MeshData& d) { d.markers[0].faces[0] = Face(0, 9); },
       [](MeshData& d) {
         d.element_region = {0, 0};
