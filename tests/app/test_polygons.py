@@ -75,14 +75,12 @@ class Polygons(ProgramTest):
         self.assertIn("bent.obj:6:", run.stderr)
         self.assertIn("cut its polygons into triangles", run.stderr)
 
-    def test_layers_go_below_polygons(self):
-        (_, cells, _), markers = self.write_dual("dual.vtk")
-        self.winslow("layers", "dual.vtk", "-o", "out.vtk", "--marker", self.body(markers), "--count", "3",
-                     "--first", "0.002", "--report", "r.json")
-        self.assertEqual(self.json("r.json")["inverted"], 0)
-        _, found = polygons.read_vtk(self.path("out.vtk"))
-        self.assertGreater(len(found), len(cells))
-        self.check_sound("out.vtk")
+    def test_layers_below_polygons_are_refused(self):
+        _, markers = self.write_dual("dual.vtk")
+        run = self.winslow("layers", "dual.vtk", "-o", "out.vtk", "--marker", self.body(markers),
+                           "--count", "3", "--first", "0.002", code=USAGE)
+        self.assertIn("at the wall is a polygon; layers are inserted beneath triangles", run.stderr)
+        self.assertFalse(self.path("out.vtk").exists())
 
     def test_pictures(self):
         if not HAS_GUI:

@@ -48,6 +48,10 @@ std::map<Index, Index> wall_edges(const Mesh& mesh, std::span<const LayerWall> w
 void require_boundary(const Topology& topology, const std::map<Index, Index>& wanted) {
   for (const auto& [f, wall] : wanted) {
     const Topology::Edge& edge = topology.edges()[at(f)];
+    if (topology.element_type(edge.elements[0]) == ElementType::polygon)
+      throw UsageError("element " + std::to_string(edge.elements[0]) +
+                       " at the wall is a polygon; layers are inserted beneath triangles and "
+                       "quadrilaterals only: cut the polygons at the wall");
     if (edge.elements[1] < 0) continue;
     throw UsageError("the edge between nodes " + std::to_string(edge.nodes[0]) + " and " +
                      std::to_string(edge.nodes[1]) +

@@ -19,7 +19,8 @@ struct WallChain {
 };
 
 /// Finds the chains of all walls together. Throws UsageError for an unknown marker, an edge of two
-/// walls, a marker edge inside the mesh, a wall without an edge, and a mesh that is not plane.
+/// walls, a marker edge inside the mesh, a polygon at a wall, a wall without an edge, and a mesh
+/// that is not plane.
 std::vector<WallChain> find_wall_chains(const Mesh& mesh, std::span<const LayerWall> walls);
 
 /// The angle between two boundary edges on the side of the elements, in (0, 2 pi): from direction

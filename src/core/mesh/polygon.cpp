@@ -71,7 +71,7 @@ std::optional<std::array<Index, 3>> triangle_across(std::span<const Vec2> p, std
 
 }  // namespace
 
-PolygonCorners corners_of_polygon(std::span<const Vec2> places) {
+PolygonCorners corners_of_polygon(std::span<const Vec2> places, const std::vector<bool>& at_wall) {
   const std::size_t n = places.size();
   const double flat = flat_sine(n);
   const bool sound = signed_area2(places) > 0 && is_simple(places);
@@ -80,8 +80,9 @@ PolygonCorners corners_of_polygon(std::span<const Vec2> places) {
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t next = (k + 1) % n, previous = (k + n - 1) % n;
     const Angle angle(places[k], places[next], places[previous]);
-    const double sine = sound ? angle.sine : std::abs(angle.sine);
-    real[k] = sine >= flat || (angle.narrow && (sine > 0 || !sound));
+    const bool known = sound || (!at_wall.empty() && at_wall[k]);
+    const double sine = known ? angle.sine : std::abs(angle.sine);
+    real[k] = sine >= flat || (angle.narrow && (sine > 0 || !known));
     if (real[k])
       out.triangles.push_back(
           {static_cast<Index>(k), static_cast<Index>(next), static_cast<Index>(previous)});

@@ -18,7 +18,10 @@ struct PolygonCorners {
   Index real = 0;
   std::vector<std::array<Index, 3>> triangles = {};
 
-  auto operator<=>(const PolygonCorners&) const = default;
+  bool operator<(const PolygonCorners& other) const {
+    return std::tie(corners, real, triangles) <
+           std::tie(other.corners, other.real, other.triangles);
+  }
 };
 
 /// Which corners of a polygon are flat. places: of the corners, counter-clockwise.
@@ -29,7 +32,11 @@ struct PolygonCorners {
 /// has no triangle, unless both its neighbours are flat, too: then that with the next corner and
 /// the corner which it faces. A polygon that is not simple, or clockwise, is tangled: its reflex
 /// corners are not flat.
-PolygonCorners corners_of_polygon(std::span<const Vec2> places);
+///
+/// at_wall: the corners (#corners) that lie on the boundary, with both neighbours; may be empty. A
+/// tangle leaves the boundary where it is, so these are as in a polygon that is not tangled.
+PolygonCorners corners_of_polygon(std::span<const Vec2> places,
+                                  const std::vector<bool>& at_wall = {});
 
 /// Edges, links and triangles of all polygons with these corners.
 class PolygonShape {

@@ -360,12 +360,26 @@ void TopologyBuilder::make_polyhedra() {
 }
 
 void TopologyBuilder::make_polygons() {
+  std::vector<unsigned char> at_boundary(at(data_.node_count()), 0);
+  for (Index f = 0; f < pairs_.face_count(); ++f)
+    if (pairs_.elements[at(f)][1] < 0)
+      for (const Index node : first_face(data_, pairs_, f)) at_boundary[at(node)] = 1;
+  const auto at_wall = [&](std::span<const Index> nodes) {
+    const std::size_t n = nodes.size();
+    std::vector<bool> list(n);
+    for (std::size_t k = 0; k < n; ++k)
+      list[k] = at_boundary[at(nodes[k])] + at_boundary[at(nodes[(k + 1) % n])] +
+                    at_boundary[at(nodes[(k + n - 1) % n])] ==
+                3;
+    return list;
+  };
   std::vector<PolygonCorners> of_element(at(data_.element_count()));
   parallel_for(0, data_.element_count(), [&](Index begin, Index end) {
     for (Index e = begin; e < end; ++e)
       if (data_.types[at(e)] == ElementType::polygon)
         of_element[at(e)] =
-            corners_of_polygon(places_of(data_.coordinates, topology_->elements_[e]));
+            corners_of_polygon(places_of(data_.coordinates, topology_->elements_[e]),
+                               at_wall(topology_->elements_[e]));
   });
   std::vector<Index>& number = topology_->own_shape_;
   number.assign(of_element.size(), -1);

@@ -199,10 +199,12 @@ class Reader {
   void read_patches() {
     FoamScanner scan(source_, ranges_[4]);
     scan.header();
-    const Index n = scan.count({"the number of patches"}, 4);
+    // Lists written by hand have no number before them.
+    const bool counted = scan.peek() != "(";
+    const Index n = counted ? scan.count({"the number of patches"}, 4) : 0;
     scan.expect("(");
     std::set<std::string> names;
-    for (Index p = 0; p < n; ++p) {
+    for (Index p = 0; counted ? p < n : scan.peek() != ")"; ++p) {
       Patch patch = read_patch(scan);
       require_fitting(patch);
       if (!names.insert(patch.name).second)

@@ -90,6 +90,15 @@ TEST_CASE("OpenFOAM: older files list faces of the boundary among the neighbours
   CHECK_THROWS_AS(io::read_mesh(mesh), InputError);
 }
 
+TEST_CASE("OpenFOAM: a list of patches may have no number before it") {
+  const TemporaryFolder folder;
+  const fs::path mesh = write_cube_case(folder.path());
+  write_text(mesh / "boundary", boundary.substr(boundary.find('(')));
+  CHECK(io::read_mesh(mesh).mesh.topology->markers().size() == 3);
+  write_text(mesh / "boundary", "( inlet { type patch; nFaces 1; startFace 0; }");
+  CHECK_THROWS_AS(io::read_mesh(mesh), InputError);
+}
+
 TEST_CASE("OpenFOAM: while nodes only move, all but their places stays as it is") {
   const TemporaryFolder folder;
   const fs::path mesh = write_cube_case(folder.path());

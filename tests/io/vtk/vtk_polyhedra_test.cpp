@@ -227,7 +227,8 @@ TEST_CASE("VTU: prisms over pentagons and hexagons are polyhedra") {
 TEST_CASE("VTU: a convex set of points is refused") {
   CHECK(input_error("a.vtu", replaced(classic(stream, "-1 31 -1"), "12 42 9", "12 41 9")) ==
         "a.vtu:22: found cell type 41 (a convex set of points), expected a line (3), triangle (5), "
-        "quadrilateral (9), tetrahedron (10), hexahedron (12), wedge (13), pyramid (14) or "
+        "polygon (7), quadrilateral (9), tetrahedron (10), hexahedron (12), wedge (13), pyramid "
+        "(14) or "
         "polyhedron (42)");
 }
 
