@@ -13,7 +13,8 @@ TEST_CASE("derivatives of faces and cells agree with finite differences") {
       {0, 0, 0}, {1.1, 0.1, 0.2}, {1.4, 0.9, -0.1}, {0.6, 1.3, 0.3}, {-0.2, 0.8, 0.1}};
   const FaceGeometry slopes{{0.3, -1.2, 0.7}, {-0.4, 0.9, 1.1}};
   for (const std::size_t n : {3U, 4U, 5U}) {
-    std::vector<Vec3> face(corners.begin(), corners.begin() + n);
+    const auto first = std::span(corners).first(n);
+    std::vector<Vec3> face(first.begin(), first.end());
     std::vector<Vec3> found(n, Vec3(0, 0, 0));
     add_face_slopes(face, slopes, found);
     const auto value = [&] {

@@ -129,12 +129,12 @@ TEST_CASE("the gradient is that of the energy, the Hessian that of the gradient"
       {square_with_hole(10, Cells::mixed), much},
       {quadtree_with_hole(8), little},
       {dual_of(make_mesh(square_with_hole(8, Cells::triangles))), little}};
-  for (const auto& [data, perturbation] : meshes) {
+  for (const auto& mesh : meshes) {
     for (const TargetBlend& blend : blends) {
       for (const PenaltyOptions& penalty : penalties) {
-        CAPTURE(data.element_count());
+        CAPTURE(mesh.first.element_count());
         CAPTURE(penalty.exponent);
-        Sample sample = make_sample(++seed, data, perturbation);
+        Sample sample = make_sample(++seed, mesh.first, mesh.second);
         Random random(seed);
         const VariationalWinslow energy = formulation(sample, blend, penalty);
         // Off the rest mesh, where the gradient of its own shapes vanishes.
