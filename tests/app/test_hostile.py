@@ -129,6 +129,13 @@ class Signals(ProgramTest):
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                 env={**os.environ, **env})
 
+    def interrupt(self, run):
+        self.assertIsNone(run.poll(), "it ended before it could be interrupted")
+        run.send_signal(signal.SIGINT)
+        _, errors = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, INTERRUPTED)
+        self.assertIn("interrupted", errors)
+
     def test_a_linear_solve_of_many_iterations_is_interrupted(self):
         self.ring(around=192, rings=96)
         run = self.start("move", "ring.su2", "-o", "o.su2", "--marker", "body", "--rotate", "20",
@@ -148,11 +155,7 @@ class Signals(ProgramTest):
         sphere = ASSETS / "coarse" / "sphere.su2.gz"
         run = self.start("render", sphere, "-o", "a.png", "--size", "8000", "8000")
         time.sleep(0.8)
-        self.assertIsNone(run.poll(), "it ended before it could be interrupted")
-        run.send_signal(signal.SIGINT)
-        _, errors = run.communicate(timeout=60)
-        self.assertEqual(run.returncode, INTERRUPTED)
-        self.assertIn("interrupted", errors)
+        self.interrupt(run)
         self.assertEqual(self.files(), [])
 
     @unittest.skipUnless(HAS_GUI, "built without the studio")
@@ -163,11 +166,7 @@ class Signals(ProgramTest):
         deadline = time.monotonic() + 60
         while not list(self.folder.glob("film/*.png")) and time.monotonic() < deadline:
             time.sleep(0.05)
-        self.assertIsNone(run.poll(), "it ended before it could be interrupted")
-        run.send_signal(signal.SIGINT)
-        _, errors = run.communicate(timeout=60)
-        self.assertEqual(run.returncode, INTERRUPTED)
-        self.assertIn("interrupted", errors)
+        self.interrupt(run)
         self.assertEqual(self.files(), ["a.su2"])
 
 

@@ -114,6 +114,7 @@ void copy_pivots(std::vector<MovingBody>& own, const std::vector<MovingBody>& wh
 void add_reference(const std::string& file, const Mesh& reference, ZoneRun& zone) {
   try {
     zone.result = with_reference(std::move(zone.result), reference);
+    zone.source.mesh.topology = zone.result.mesh.topology;
   } catch (const UsageError& error) {
     throw UsageError(file + ": " + error.what());
   }
@@ -334,8 +335,6 @@ ExitCode run_edit_job(const EditJob& given) {
     for (const std::string& warning : {damage_warning(zone), fold_warning(zone)})
       if (!warning.empty()) warn(job.files, {warning}, run);
   }
-  if (const std::string warning = face_warning(run); !warning.empty())
-    warn(job.files, {warning}, run);
   save(job, zones, run);
   run.seconds.save = lap.lap();
   run.seconds.total = total.seconds();

@@ -194,7 +194,11 @@ std::string hint_to_keep(const ZoneRun& zone, const Damage& damage) {
   if (damage.node && plane) hint = "--hold-layers keeps heights at a wall";
   if (!keeps)
     hint += (hint.empty() ? "" : ", ") + std::string("--targets keep keeps the elements' shapes");
-  if (!damage.node)
+  if (damage.leaning_faces > 0)
+    hint +=
+        (hint.empty() ? "" : ", ") +
+        std::string("--min-quality non_orthogonality=70 ends a motion before faces lean so far");
+  else if (!damage.node)
     hint += (hint.empty() ? "" : ", ") + std::string("--raise-worst betters the worst one");
   return hint;
 }
@@ -255,22 +259,6 @@ std::string damage_warning(const ZoneRun& zone) {
   std::string hint = hint_to_slide(zone, damage) + hint_to_keep(zone, damage);
   if (hint.ends_with(", ")) hint.resize(hint.size() - 2);
   return (name.empty() ? "" : name + ": ") + damage.text + (hint.empty() ? "" : "; " + hint);
-}
-
-std::string face_warning(const RunReport& run) {
-  FaceAngles all;
-  for (const CommandRecord& command : run.commands) {
-    if (!command.result.face_angles) continue;
-    all.beyond += command.result.face_angles->beyond;
-    all.worst = std::max(all.worst, command.result.face_angles->worst);
-  }
-  if (all.beyond == 0) return {};
-  char angle[32];
-  std::snprintf(angle, sizeof angle, "%.1f", all.worst);
-  return std::to_string(all.beyond) + (all.beyond == 1 ? " face leans" : " faces lean") +
-         " by more than 70 degrees, which checkMesh counts as severely non-orthogonal, and did not "
-         "before; the largest angle is " +
-         angle + " degrees (--min-quality non_orthogonality=70 ends the motion before)";
 }
 
 std::string fold_warning(const ZoneRun& zone) {

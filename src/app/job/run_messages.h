@@ -9,9 +9,6 @@ namespace winslow::app {
 /// request heights of layers.
 std::string damage_warning(const ZoneRun& zone);
 
-/// Warns of faces that a motion made lean by more than checkMesh of OpenFOAM allows. Empty: none.
-std::string face_warning(const RunReport& run);
-
 /// Warns of a surface that is still folded. Empty: none, or the result has inverted elements, which
 /// print_verdict() reports.
 std::string fold_warning(const ZoneRun& zone);

@@ -183,7 +183,8 @@ class SweepRun final : public SeriesMonitor {
     row.iterations = run.smooth.outer_iterations;
     row.fraction = run.smooth.fraction_reached;
     row.quality = measure_quality(run.state.mesh, quality_options());
-    row.harmed = smallest_movable(*row.quality) < least_sine_kept * inputs_.smallest;
+    row.harmed = smallest_movable(*row.quality) < least_sine_kept * inputs_.smallest ||
+                 (run.smooth.face_angles && run.smooth.face_angles->beyond > 0);
     if (row.status == status_name(SeriesStatus::done)) find_what_holds(run.state.mesh, row);
     if (const auto change =
             compare_first_heights(inputs_.reference.walls.walls, row.quality->walls.walls);
@@ -418,6 +419,7 @@ Inputs load(SweepJob& job) {
         io::read_mesh(job.files.reference_mesh, {.zone = inputs.zone.number()});
     try {
       inputs.state = with_reference(std::move(inputs.state), reference.mesh);
+      inputs.zone.source.mesh.topology = inputs.state.mesh.topology;
     } catch (const UsageError& error) {
       throw UsageError(job.files.reference_mesh + ": " + error.what());
     }

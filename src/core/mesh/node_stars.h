@@ -72,8 +72,8 @@ void check_volume_manifold(const Topology& topology, const OrderedStars& stars,
                            const FacePairs& pairs, const std::vector<bool>& turned);
 
 /// Throws MeshError for a boundary triangle of one element that covers half of a boundary
-/// quadrilateral of another. In a mesh with polyhedra the faces come from the file, so that
-/// neighbours share them.
+/// quadrilateral of another. In a mesh with polyhedra, another triangle has to cover the other
+/// half.
 void check_matching_faces(const Topology& topology);
 
 }  // namespace winslow

@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/mesh/coordinates.h"
+#include "core/quality/openfoam_measures.h"
 
 namespace winslow {
 
@@ -52,6 +53,22 @@ void describe_sine(double before, double after, const Mesh& mesh, Damage& damage
                                                  : "the smallest sine fell from ") +
       number("%.3g", before) + " to " + number("%.3g", after) + " at " +
       place_text(element_centre(mesh, worst), mesh.coordinates.dimension());
+}
+
+void describe_faces(const Mesh& before, const Mesh& after, Damage& damage) {
+  const CellFaces faces = cell_faces(*after.topology);
+  const LeaningFaces leaning = newly_leaning_faces(FiniteVolumes(faces, after.coordinates),
+                                                   FiniteVolumes(faces, before.coordinates));
+  if (leaning.faces.empty()) return;
+  damage.leaning_faces = static_cast<Index>(leaning.faces.size());
+  const Index element = faces.owner[at(leaning.worst)];
+  if (!damage.element) damage.element = element;
+  damage.text += std::string(damage.text.empty() ? "" : ", and ") +
+                 std::to_string(damage.leaning_faces) +
+                 (damage.leaning_faces == 1 ? " internal face leans" : " internal faces lean") +
+                 " by more than " + number("%g", largest_non_orthogonality) +
+                 " degrees (non-orthogonality), at worst by " + number("%.3g", leaning.angle) +
+                 " at " + place_text(element_centre(after, element), 3);
 }
 
 }  // namespace
@@ -131,6 +148,7 @@ Damage find_damage(const Mesh& before, const Mesh& after) {
   if (was.inverted > 0 || is.inverted > 0) return damage;
   if (before.topology->kind() == MeshKind::plane) describe_heights(before, after, damage);
   describe_sine(was.min_sine, is.min_sine, after, damage);
+  if (after.topology->has_polyhedra()) describe_faces(before, after, damage);
   return damage;
 }
 

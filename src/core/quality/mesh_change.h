@@ -40,16 +40,19 @@ bool spoils_walls(const FirstHeightChange& change);
 struct Damage {
   /// One sentence with figures and the worst places, without its full stop; empty: no damage.
   std::string text;
-  std::optional<Index> node;     ///< the wall node with the largest change of the first height
-  std::optional<Index> element;  ///< the element with the smallest sine, if that has fallen
+  std::optional<Index> node;  ///< the wall node with the largest change of the first height
+  /// The element with the smallest sine, if that has fallen; else one at the face that leans most.
+  std::optional<Index> element;
+  Index leaning_faces = 0;  ///< of a mesh with polyhedra: newly_leaning_faces()
 };
 
 /// Share of the smallest sine that a run leaves at least, or else it has done damage.
 inline constexpr double least_sine_kept = 0.9;
 
 /// Damage is a change of first heights that spoils_walls(), or a smallest sine (of volumes, scaled
-/// Jacobian) less than least_sine_kept times the one before. There is no damage if one of the
-/// meshes has inverted elements, or if they have different topologies.
+/// Jacobian) less than least_sine_kept times the one before. In a mesh with polyhedra, of which
+/// finite volume solvers are the users, newly_leaning_faces() are damage, too. There is none if one
+/// of the meshes has inverted elements, or if they have different topologies.
 Damage find_damage(const Mesh& before, const Mesh& after);
 
 /// A motion that ends before an element becomes worse than a limit:

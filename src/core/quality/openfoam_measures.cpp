@@ -1,5 +1,7 @@
 #include "core/quality/openfoam_measures.h"
 
+#include <utility>
+
 #include "core/error.h"
 #include "core/parallel/parallel_for.h"
 
@@ -71,13 +73,13 @@ const std::array measure_sources{
                    .label = "Non-orthogonality",
                    .unit = "degrees",
                    .of = "internal faces",
-                   .limit = 70,
+                   .limit = largest_non_orthogonality,
                    .fails = false},
                   false,
                   [](const FiniteVolumes& all, Index f) {
                     return all.faces().internal(f) ? all.orthogonality(f) : has_none;
                   },
-                  std::cos(70 * (pi / 180)),
+                  std::cos(radians(largest_non_orthogonality)),
                   false,
                   angle_of_cosine},
     MeasureSource{{.name = "skewness", .label = "Skewness", .of = "faces", .limit = 4},
@@ -313,6 +315,24 @@ OpenFoamMeasures openfoam_measures(const CellFaces& faces, const Coordinates& x,
 
 OpenFoamMeasures openfoam_measures(const Mesh& mesh, int threads) {
   return openfoam_measures(cell_faces(*mesh.topology), mesh.coordinates, threads);
+}
+
+LeaningFaces newly_leaning_faces(const FiniteVolumes& mesh, const FiniteVolumes& reference) {
+  const CellFaces& faces = mesh.faces();
+  const double cosine = std::cos(radians(largest_non_orthogonality));
+  LeaningFaces found;
+  double least = 1;
+  for (Index f = 0; f < faces.face_count(); ++f) {
+    if (!faces.internal(f)) continue;
+    const double here = mesh.orthogonality(f);
+    if (here >= cosine || reference.orthogonality(f) < cosine) continue;
+    found.faces.push_back(f);
+    if (here >= least) continue;
+    least = here;
+    found.worst = f;
+  }
+  if (found.worst >= 0) found.angle = angle_of_cosine(least);
+  return found;
 }
 
 }  // namespace winslow

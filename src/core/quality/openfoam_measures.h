@@ -56,4 +56,16 @@ OpenFoamMeasures openfoam_measures(const CellFaces& faces, const Coordinates& x,
 /// The same of a volume mesh. Throws UsageError for another mesh.
 OpenFoamMeasures openfoam_measures(const Mesh& mesh, int threads = 0);
 
+/// The non-orthogonality that checkMesh allows, in degrees.
+inline constexpr double largest_non_orthogonality = 70;
+
+/// Internal faces that lean by more than checkMesh allows.
+struct LeaningFaces {
+  std::vector<Index> faces;  ///< ascending
+  Index worst = -1;          ///< the one that leans most; -1: there are none
+  double angle = 0;          ///< by how much it leans, degrees
+};
+/// Those of a mesh that do not lean so far in another one of the same faces.
+LeaningFaces newly_leaning_faces(const FiniteVolumes& mesh, const FiniteVolumes& reference);
+
 }  // namespace winslow

@@ -5,40 +5,32 @@
 #include "core/formulation/target_shapes.h"
 #include "core/formulation/variational_winslow.h"
 #include "core/outer/energy_descent.h"
+#include "core/quality/openfoam_measures.h"
 #include "core/quality/volume_element.h"
 
 namespace winslow {
 
 namespace {
 
-// degrees
-constexpr double limit = 70;
-constexpr FacePenalty::Angles penalised{60, 68};
+constexpr FacePenalty::Angles penalised{60, 68};  // degrees
 
-/// What checkMesh counts of the faces and cells of a mesh, without the angles.
-struct OtherFaults {
-  Index skew = 0, behind = 0, flat = 0;
-
-  explicit OtherFaults(const FiniteVolumes& all) {
-    constexpr double largest_skewness = 4, least_determinant = 0.001;
-    const CellFaces& faces = all.faces();
-    for (Index f = 0; f < faces.face_count(); ++f) {
-      if (all.face_skewness(f) > largest_skewness) ++skew;
-      if (all.owner_pyramid(f) < 0 || (faces.internal(f) && all.neighbour_pyramid(f) < 0)) ++behind;
-    }
-    for (Index c = 0; c < faces.cell_count(); ++c)
-      if (all.determinant(c) < least_determinant) ++flat;
-  }
-  bool within(const OtherFaults& other) const {
-    return skew <= other.skew && behind <= other.behind && flat <= other.flat;
-  }
-};
+/// Whether no measure of checkMesh but the angles has more faces or cells beyond its limit.
+bool others_kept(const OpenFoamMeasures& after, const OpenFoamMeasures& before) {
+  for (std::size_t k = 0; k < after.rows.size(); ++k)
+    if (after.rows[k].name != "non_orthogonality" && after.rows[k].beyond > before.rows[k].beyond)
+      return false;
+  return after.orthogonality_errors <= before.orthogonality_errors &&
+         after.pyramid_errors <= before.pyramid_errors &&
+         after.poor_divisions <= before.poor_divisions &&
+         after.concave_cells <= before.concave_cells;
+}
 
 /// The nodes and elements around some faces, and the energy of the nodes.
 class Surroundings {
  public:
   Surroundings(const MeshState& state, const NodeClasses& classes, const SmoothOptions& options,
-               const CellFaces& faces, std::span<const Index> leaning, const Coordinates& x)
+               const WallStretch* wall_stretch, const CellFaces& faces,
+               std::span<const Index> leaning, const Coordinates& x)
       : topology_(*state.mesh.topology),
         faces_(faces),
         reference_(reference_of(state)),
@@ -51,11 +43,12 @@ class Surroundings {
     for (const Index node : topology_.interior_nodes())
       if (!std::ranges::binary_search(nodes_, node)) held.push_back(node);
     local->set_fixed(held);
-    VolumeTargetDetails details{.classes = local.get(), .roles = state.roles.get()};
+    const VolumeTargetDetails details{
+        .classes = local.get(), .roles = state.roles.get(), .wall_stretch = wall_stretch};
     const CellTargets<3> targets = volume_targets(topology_, nullptr, TargetBlend::keeping(),
                                                   reference_.get(), options.threads, {}, details);
     energy_.emplace(local, targets, options.penalty, options.threads);
-    for (const Index f : faces_around()) angles_.push_back(f);
+    angles_ = faces_around();
     penalty_.emplace(faces_, angles_, penalised);
   }
 
@@ -218,28 +211,11 @@ class Descent {
   std::vector<double> slopes_, preconditioned_;
 };
 
-/// The faces that lean by more than the limit here and not in the reference mesh.
-std::vector<Index> leaning_faces(const FiniteVolumes& here, const FiniteVolumes& reference) {
-  const CellFaces& faces = here.faces();
-  const double cosine = std::cos(radians(limit));
-  std::vector<Index> list;
-  for (Index f = 0; f < faces.face_count(); ++f)
-    if (faces.internal(f) && here.orthogonality(f) < cosine && reference.orthogonality(f) >= cosine)
-      list.push_back(f);
-  return list;
-}
-
-double largest_angle(const FiniteVolumes& all, std::span<const Index> faces) {
-  double least = 1;
-  for (const Index f : faces) least = std::min(least, all.orthogonality(f));
-  return faces.empty() ? 0 : degrees(std::acos(std::clamp(least, -1.0, 1.0)));
-}
-
 /// Moves the nodes around the faces until none of all faces around leans that did not before.
 void straighten(Surroundings& around, const FiniteVolumes& reference, const SmoothOptions& options,
                 SolverMonitor* monitor, Coordinates& x) {
   constexpr int rounds = 5, steps = 40;
-  const double cosine = std::cos(radians(limit));
+  const double cosine = std::cos(radians(largest_non_orthogonality));
   const auto leans = [&](Index f) {
     return around.penalty().cosine(x, f) < cosine && reference.orthogonality(f) >= cosine;
   };
@@ -257,25 +233,29 @@ void straighten(Surroundings& around, const FiniteVolumes& reference, const Smoo
 }  // namespace
 
 FaceAngles keep_face_angles(const MeshState& state, const NodeClasses& classes,
-                            const SmoothOptions& options, SolverMonitor* monitor, Coordinates& x) {
+                            const SmoothOptions& options, const WallStretch* wall_stretch,
+                            SolverMonitor* monitor, Coordinates& x) {
   constexpr std::size_t most = 5'000;  // faces: a mesh with more is beyond local mends
   const CellFaces faces = cell_faces(*state.mesh.topology);
   const FiniteVolumes reference(faces, *reference_of(state), options.threads);
-  const FiniteVolumes before(faces, x, options.threads);
-  const std::vector<Index> leaning = leaning_faces(before, reference);
-  FaceAngles result{static_cast<Index>(leaning.size()), 0, largest_angle(before, leaning)};
-  if (leaning.empty() || leaning.size() > most) return result;
-  Surroundings around(state, classes, options, faces, leaning, x);
-  if (!around.has_nodes()) return result;
+  const auto leaning_in = [&](const Coordinates& mesh) {
+    return newly_leaning_faces(FiniteVolumes(faces, mesh, options.threads), reference);
+  };
+  const LeaningFaces before = leaning_in(x);
+  const auto count = static_cast<Index>(before.faces.size());
+  const FaceAngles as_it_is{count, 0, before.angle};
+  if (before.faces.empty() || before.faces.size() > most) return as_it_is;
+  Surroundings around(state, classes, options, wall_stretch, faces, before.faces, x);
+  if (!around.has_nodes()) return as_it_is;
   Coordinates mended = x;
   straighten(around, reference, options, monitor, mended);
-  const FiniteVolumes after(faces, mended, options.threads);
-  const std::vector<Index> left = leaning_faces(after, reference);
-  if (left.size() >= leaning.size() || !OtherFaults(after).within(OtherFaults(before)))
-    return result;
+  const LeaningFaces after = leaning_in(mended);
+  const auto left = static_cast<Index>(after.faces.size());
+  if (left >= count || !others_kept(openfoam_measures(faces, mended, options.threads),
+                                    openfoam_measures(faces, x, options.threads)))
+    return as_it_is;
   x = std::move(mended);
-  return {static_cast<Index>(left.size()), static_cast<Index>(leaning.size() - left.size()),
-          largest_angle(after, left)};
+  return {left, count - left, after.angle};
 }
 
 }  // namespace winslow

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/formulation/wall_stretch.h"
 #include "core/strategy/mesh_state.h"
 #include "core/strategy/run.h"
 #include "core/strategy/smooth_options.h"
@@ -11,7 +12,7 @@ namespace winslow {
 /// by more than 70 degrees (non-orthogonality, FiniteVolumes::orthogonality()).
 ///
 ///     const winslow::FaceAngles angles =
-///         winslow::keep_face_angles(state, classes, options, monitor, x);
+///         winslow::keep_face_angles(state, classes, options, wall_stretch, monitor, x);
 ///
 /// Where faces lean by more in the mesh x, the solution of a run with targets `keep`, and by less
 /// in the reference mesh, the free nodes around them move: the energy of the run, of these nodes
@@ -20,9 +21,11 @@ namespace winslow {
 /// is taken only if fewer faces lean than before, no element is inverted, and no other measure of
 /// checkMesh has more faces or cells beyond its limit.
 ///
-/// classes: which nodes move. monitor: may cancel; null: none. x: the mesh on entry, the result on
+/// classes: which nodes move. wall_stretch: as for the targets of the run; null: no wall is
+/// stretched. monitor: may cancel; null: none. x: the mesh on entry, the result on
 /// return; valid. Throws Cancelled.
 FaceAngles keep_face_angles(const MeshState& state, const NodeClasses& classes,
-                            const SmoothOptions& options, SolverMonitor* monitor, Coordinates& x);
+                            const SmoothOptions& options, const WallStretch* wall_stretch,
+                            SolverMonitor* monitor, Coordinates& x);
 
 }  // namespace winslow

@@ -70,8 +70,10 @@ inline std::shared_ptr<const Coordinates> reference_of(const MeshState& state) {
                          : std::make_shared<const Coordinates>(state.mesh.coordinates);
 }
 /// The state with another reference mesh, e.g. the mesh before the first of several runs from file
-/// to file. Throws UsageError, naming the first difference, unless both meshes have the same nodes,
-/// elements and markers in the same order.
+/// to file. A mesh with polyhedra or polygons gets the topology of the reference mesh, which says
+/// what corners are flat, if their markers and regions are the same. Throws UsageError, naming the
+/// first difference, unless both meshes have the same nodes, elements and markers in the same
+/// order.
 MeshState with_reference(MeshState state, const Mesh& reference);
 
 /// A state with the paper's VCVs of a plane or surface mesh: equal angles, unit edges.

@@ -439,14 +439,14 @@ bool heeds_face_angles(const MeshState& state, const SmoothOptions& options,
 
 /// Raises the worst element at the end of a motion, or brings back the angles of faces.
 void better_end(const MeshState& state, const std::shared_ptr<const NodeClasses>& classes,
-                const MotionOptions& how, SolverMonitor* monitor, SmoothingWorkspace& workspace,
-                RunRecorder& recorder, Coordinates& x) {
+                const MotionOptions& how, const WallStretch* stretch, SolverMonitor* monitor,
+                SmoothingWorkspace& workspace, RunRecorder& recorder, Coordinates& x) {
   const SmoothOptions options = workspace.options();
   SmoothResult& result = recorder.result();
   if (options.raise_worst)
     raise_worst(state, classes, workspace, recorder, result.fraction_reached, x);
   else if (heeds_face_angles(state, options, how, result))
-    result.face_angles = keep_face_angles(state, *classes, options, monitor, x);
+    result.face_angles = keep_face_angles(state, *classes, options, stretch, monitor, x);
 }
 
 /// smooth_motion() of a motion that takes along the images of its nodes.
@@ -505,7 +505,7 @@ SmoothResult smooth_complete_motion(const MeshState& state, const Motion& bodies
   if (!how.floor.given()) follow_with_vcvs(state, workspace, recorder, x);
   result.stretched = stretched(workspace);
   result.without_shape = without_shape(workspace);
-  better_end(state, classes, how, run.monitor, workspace, recorder, x);
+  better_end(state, classes, how, stretch.get(), run.monitor, workspace, recorder, x);
   return result;
 }
 

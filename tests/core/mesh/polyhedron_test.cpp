@@ -240,6 +240,28 @@ TEST_CASE("a mesh of split hexahedra has flat corners, and moves there and back"
   CHECK(apart < 1e-6);  // of a cube with edges of 1, by the tolerance of two solves
 }
 
+TEST_CASE("a moved mesh of polyhedra that is read anew finds back to its reference mesh") {
+  const Mesh mesh = make_mesh(split_box_with_body(6));
+  const auto turn = [](double degrees) {
+    MoveCommand move = turn_body(degrees);
+    move.smooth.tolerance = 1e-9;
+    return move;
+  };
+  const CommandResult there = execute(turn(60), make_state(mesh));
+  MeshData moved = split_box_with_body(6);
+  moved.coordinates = there.state.mesh.coordinates;
+  // Read anew, its hanging nodes are corners: the motion has bent the faces.
+  const MeshState read = make_state(make_mesh(moved));
+  const MeshState told = with_reference(read, mesh);
+  CHECK(told.mesh.topology == mesh.topology);
+  const CommandResult back = execute(turn(-60), told);
+  CHECK(back.smooth.converged);
+  double apart = 0;
+  for (Index i = 0; i < mesh.coordinates.size(); ++i)
+    apart = std::max(apart, (back.state.mesh.coordinates.xyz(i) - mesh.coordinates.xyz(i)).norm());
+  CHECK(apart < 1e-6);
+}
+
 TEST_CASE("walls of cells by faces may meet in an edge, those of elements by types may not") {
   // The cubes 0 0 and 1 1 of the two lower layers share an edge and no face.
   const MeshData data = cubes_with_holes(4, Volumes::hexahedra, [](Index i, Index j, Index k) {

@@ -5,7 +5,6 @@
 #include "core/command/command.h"
 #include "core/error.h"
 #include "core/quality/openfoam_measures.h"
-#include "core/quality/quality.h"
 #include "support/space_meshes.h"
 
 using namespace winslow;
@@ -58,6 +57,11 @@ TEST_CASE("faces that a motion makes lean are brought back") {
   CHECK(after == 0);
   CHECK(check_validity(*mesh.topology, x).inverted == 0);
   CHECK(openfoam_measures({mesh.topology, x}).failures().empty());
+  const Damage damage = find_damage(mesh, {mesh.topology, solution});
+  CHECK(damage.leaning_faces == static_cast<Index>(before));
+  CHECK(damage.text.find("by more than 70 degrees (non-orthogonality), at worst by 7") !=
+        std::string::npos);
+  CHECK(find_damage(mesh, {mesh.topology, x}).leaning_faces == 0);
   // Only nodes near these faces have moved from the solution.
   Index moved = 0;
   for (Index i = 0; i < x.size(); ++i)
@@ -98,5 +102,6 @@ TEST_CASE("a cancelled run throws while angles of faces are kept") {
   const MeshState state = make_state(mesh);
   Coordinates x = solution_of(turn_body(120), state);
   NodeClasses classes(mesh.topology);
-  CHECK_THROWS_AS(keep_face_angles(state, classes, MoveCommand{}.smooth, &monitor, x), Cancelled);
+  CHECK_THROWS_AS(keep_face_angles(state, classes, MoveCommand{}.smooth, nullptr, &monitor, x),
+                  Cancelled);
 }

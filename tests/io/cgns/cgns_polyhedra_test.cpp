@@ -214,22 +214,30 @@ TEST_CASE("CGNS: cells of any faces, before the faces and behind them") {
   }
 }
 
+namespace {
+
+/// Writes faces, and the cells by the signed numbers of these.
+void write_cells_of_faces(const std::filesystem::path& path, const MeshData& data,
+                          const Polyhedra& all) {
+  LibraryFile file(path, CG_FILE_HDF5, 3, 3);
+  write_places(file, data);
+  write_faces(file, all);
+  CgnsNumbers sides, starts{0};
+  for (const auto& cell : all.cells) {
+    sides.insert(sides.end(), cell.begin(), cell.end());
+    starts.push_back(static_cast<cgsize_t>(sides.size()));
+  }
+  file.poly_section("cells", NFACE_n, sides, starts);
+}
+
+}  // namespace
+
 TEST_CASE("CGNS: signs of faces that are turned, all of a cell or some") {
   const MeshData data = stacked_prisms(7);
   const Mesh mesh = make_mesh(data);
   const TemporaryFolder folder;
   const auto read = [&](const Polyhedra& all) {
-    {
-      LibraryFile file(folder / "a.cgns", CG_FILE_HDF5, 3, 3);
-      write_places(file, data);
-      write_faces(file, all);
-      CgnsNumbers sides, starts{0};
-      for (const auto& cell : all.cells) {
-        sides.insert(sides.end(), cell.begin(), cell.end());
-        starts.push_back(static_cast<cgsize_t>(sides.size()));
-      }
-      file.poly_section("cells", NFACE_n, sides, starts);
-    }
+    write_cells_of_faces(folder / "a.cgns", data, all);
     return io::read_mesh(folder / "a.cgns");
   };
   Polyhedra inside(data);
@@ -251,17 +259,7 @@ TEST_CASE("CGNS: a face of three cells and a polygon of two corners are refused"
   const auto refusal = [&](const std::function<void(Polyhedra&)>& damage) {
     Polyhedra all(data);
     damage(all);
-    {
-      LibraryFile file(folder / "a.cgns", CG_FILE_HDF5, 3, 3);
-      write_places(file, data);
-      write_faces(file, all);
-      CgnsNumbers sides, starts{0};
-      for (const auto& cell : all.cells) {
-        sides.insert(sides.end(), cell.begin(), cell.end());
-        starts.push_back(static_cast<cgsize_t>(sides.size()));
-      }
-      file.poly_section("cells", NFACE_n, sides, starts);
-    }
+    write_cells_of_faces(folder / "a.cgns", data, all);
     try {
       io::read_mesh(folder / "a.cgns");
     } catch (const InputError& error) {

@@ -196,17 +196,8 @@ TEST_CASE("no damaged file of polygons does anything but give a mesh or an Input
       CAPTURE(seed);
       Random random(seed);
       write_text(path, mutated(original, random));
-      try {
-        const io::MeshFile file = io::read_mesh(path);
-        ++meshes;
-        const auto again = folder / ("again." + std::string(kind.extension));
-        io::write_mesh(again, file.mesh, file.details.get());
-        CHECK(io::read_mesh(again).mesh.topology->element_count() ==
-              file.mesh.topology->element_count());
-      } catch (const InputError& error) {
-        ++refused;
-        CHECK(std::string(error.what()).find(path.string()) == 0);
-      }
+      const auto again = folder / ("again." + std::string(kind.extension));
+      ++(survives(path, path, again) ? meshes : refused);
     }
   }
   MESSAGE(meshes, " meshes, ", refused, " refused");

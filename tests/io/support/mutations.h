@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/types.h"
+#include "io/support/files.h"
 #include "support/random.h"
 
 /// Damage for files that readers have to survive.
@@ -60,6 +61,24 @@ inline std::string mutated(std::string text, Random& random) {
     }
   }
   return text;
+}
+
+/// Reads a damaged mesh, and writes and reads what it gave. Returns false where it was refused.
+/// root: what the error begins with.
+inline bool survives(const std::filesystem::path& mesh, const std::filesystem::path& root,
+                     const std::filesystem::path& again) {
+  try {
+    const io::MeshFile file = io::read_mesh(mesh);
+    io::write_mesh(again, file.mesh, file.details.get());
+    CHECK(io::read_mesh(again).mesh.topology->element_count() ==
+          file.mesh.topology->element_count());
+    return true;
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    CHECK(what.find(root.string()) == 0);
+    CHECK(what.size() < 1000);
+    return false;
+  }
 }
 
 }  // namespace winslow::test

@@ -29,7 +29,7 @@ std::string title_of(const CutPlane& cut, std::size_t k) {
   std::string text = "Cut " + std::to_string(k + 1);
   if (axis.empty()) return text + ", aslant";
   const double place = cut.point[static_cast<std::size_t>(axis[1] - 'x')];
-  return text + ", " + axis[1] + " = " + formatted(place, "%.5g");
+  return text + ", " + axis[1] + " = " + formatted(place + 0.0, "%.5g");  // no -0
 }
 
 /// The range of a box's offsets along the normal.
