@@ -334,6 +334,49 @@ bool hexahedron_positive(const SpacePoints& x, std::span<const Index> corners) {
   return positive_over(bernstein(values), divisions);
 }
 
+/// Mean of the edges along one direction of a hexahedron or prism, and their largest distance from
+/// it.
+struct EdgeBundle {
+  Vec3 mean = Vec3::Zero();
+  double spread = 0;
+
+  template <std::size_t n>
+  EdgeBundle(const SpacePoints& x, std::span<const Index> corners,
+             const std::array<std::array<std::size_t, 2>, n>& edges) {
+    std::array<Vec3, n> all;
+    for (std::size_t k = 0; k < n; ++k) all[k] = x[corners[edges[k][1]]] - x[corners[edges[k][0]]];
+    for (const Vec3& edge : all) mean += edge / static_cast<double>(n);
+    for (const Vec3& edge : all) spread = std::max(spread, (edge - mean).squaredNorm());
+    spread = std::sqrt(spread);
+  }
+};
+
+/// Whether the Jacobian is positive for any three vectors within the spreads of the bundles. The
+/// derivatives of the map lie within them, as convex sums of the edges, so that almost all elements
+/// need no other test.
+bool surely_positive(const EdgeBundle& a, const EdgeBundle& b, const EdgeBundle& c) {
+  constexpr double round_off = 1e-9;
+  const double la = a.mean.norm(), lb = b.mean.norm(), lc = c.mean.norm();
+  const double change = (la + a.spread) * (lb + b.spread) * (lc + c.spread) - la * lb * lc;
+  return determinant(a.mean, b.mean, c.mean) > change + round_off * la * lb * lc;
+}
+
+using Edges4 = std::array<std::array<std::size_t, 2>, 4>;
+
+bool hexahedron_surely_positive(const SpacePoints& x, std::span<const Index> corners) {
+  return surely_positive(EdgeBundle(x, corners, Edges4{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}}),
+                         EdgeBundle(x, corners, Edges4{{{0, 3}, {1, 2}, {4, 7}, {5, 6}}}),
+                         EdgeBundle(x, corners, Edges4{{{0, 4}, {1, 5}, {2, 6}, {3, 7}}}));
+}
+
+bool prism_surely_positive(const SpacePoints& x, std::span<const Index> corners) {
+  using Edges2 = std::array<std::array<std::size_t, 2>, 2>;
+  using Edges3 = std::array<std::array<std::size_t, 2>, 3>;
+  return surely_positive(EdgeBundle(x, corners, Edges2{{{0, 1}, {3, 4}}}),
+                         EdgeBundle(x, corners, Edges2{{{0, 2}, {3, 5}}}),
+                         EdgeBundle(x, corners, Edges3{{{0, 3}, {1, 4}, {2, 5}}}));
+}
+
 /// Whether the centroid of a polyhedron lies behind all its faces.
 bool pyramids_positive(const SpacePoints& x, const ElementShape& shape,
                        std::span<const Index> corners) {
@@ -356,6 +399,8 @@ bool pyramids_positive(const SpacePoints& x, const ElementShape& shape,
 
 bool has_positive_jacobian(const SpacePoints& x, const ElementShape& shape,
                            std::span<const Index> corners) {
+  if (shape.type == ElementType::hexahedron && hexahedron_surely_positive(x, corners)) return true;
+  if (shape.type == ElementType::prism && prism_surely_positive(x, corners)) return true;
   if (!corners_positive(x, shape, corners)) return false;
   if (shape.type == ElementType::prism) return prism_positive(x, corners);
   if (shape.type == ElementType::hexahedron) return hexahedron_positive(x, corners);
