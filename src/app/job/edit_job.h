@@ -43,7 +43,8 @@ std::vector<std::string> warnings_of(const std::vector<io::MeshFile>& files);
 std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
                                const std::vector<Command>& commands, const std::string& file);
 
-/// Replaces names of groups of markers in a command (io::expand_groups()).
+/// Replaces names of groups of markers in a command, and patterns with a * (io::expand_groups(),
+/// io::expand_patterns()).
 void expand_groups(Command& command, const std::vector<io::MeshFile>& files);
 /// Adds what the files say about their boundaries to the commands (io::add_file_defaults()).
 /// config: a configuration file of SU2 that says more; empty: none. Returns a sentence for each

@@ -13,16 +13,21 @@ namespace {
                          const std::string& file) {
   std::vector<std::string> known;
   std::string list;
+  std::size_t begin_so = 0;
   for (const Topology* topology : topologies) {
     for (const Marker& marker : topology->markers()) {
       known.push_back(marker.name);
+      if (marker.name.starts_with(name)) ++begin_so;
       list += (list.empty() ? "" : ", ") + marker.name + " (" +
               std::to_string(marker.faces.size()) + ' ' +
               std::string(words_of(topology->kind()).face) + "s)";
     }
   }
-  throw UsageError("unknown marker \"" + name + '"' + suggest(name, known) + " Markers of " + file +
-                   ": " + (list.empty() ? "none" : list));
+  const std::string help = begin_so > 1 ? "; \"" + name + "*\" means the " +
+                                              std::to_string(begin_so) + " markers that begin so."
+                                        : suggest(name, known);
+  throw UsageError("unknown marker \"" + name + '"' + help + " Markers of " + file + ": " +
+                   (list.empty() ? "none" : list));
 }
 
 }  // namespace
@@ -167,8 +172,12 @@ std::vector<ZoneRun> share_out(std::vector<io::MeshFile> zones,
 }
 
 void expand_groups(Command& command, const std::vector<io::MeshFile>& files) {
-  for (const io::MeshFile& file : files)
+  std::vector<const Topology*> topologies;
+  for (const io::MeshFile& file : files) {
+    topologies.push_back(file.mesh.topology.get());
     if (file.details) io::expand_groups(command, file.details->roles, *file.mesh.topology);
+  }
+  io::expand_patterns(command, topologies);
 }
 
 std::vector<std::string> add_file_defaults(std::vector<ZoneRun>& zones, const std::string& config) {

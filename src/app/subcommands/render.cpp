@@ -12,6 +12,7 @@
 #include "gui/picture/picture.h"
 #include "gui/render/color_scale.h"
 #include "io/recipe/recipe.h"
+#include "io/tables/file_defaults.h"
 #include "io/tables/slide_files.h"
 
 namespace winslow::app {
@@ -186,10 +187,11 @@ class RenderSubcommand : public Subcommand {
   }
 
   std::vector<Mesh> frames_of(const io::MeshFile& file) const {
-    const io::Recipe recipe = io::read_recipe(flags_.recipe);
-    check_markers(recipe.commands, *file.mesh.topology, flags_.input);
+    const std::vector<Command> expanded = io::with_names_expanded(
+        io::read_recipe(flags_.recipe).commands, file.details.get(), *file.mesh.topology);
+    check_markers(expanded, *file.mesh.topology, flags_.input);
     std::vector<ResolvedCommand> commands;
-    for (const Command& command : recipe.commands)
+    for (const Command& command : expanded)
       commands.push_back(io::resolve_files(command, file.details.get()));
     return motion_frames(commands, make_state(file.mesh),
                          {flags_.per_command, [] { return InterruptGuard::requested(); }});

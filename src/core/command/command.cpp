@@ -31,9 +31,14 @@ std::string length(double value) {
   return text;
 }
 
+/// The names; of many only the first and the number of the others.
 std::string list(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 6;
+  const std::size_t shown = names.size() <= most ? names.size() : 3;
   std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+  for (std::size_t i = 0; i < shown; ++i) text += (text.empty() ? "" : ", ") + names[i];
+  if (shown < names.size())
+    text += " and " + std::to_string(names.size() - shown) + " other markers";
   return text;
 }
 

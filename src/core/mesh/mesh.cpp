@@ -242,7 +242,10 @@ void check_extents(const Topology& topology, const char* fault, const HasExtent&
 }
 
 /// For a volume mesh: refuses boundary nodes inside a boundary face of which they are no corners.
-void check_hanging_on_faces(const Topology& topology, const SpacePoints& x) {
+/// Not beside polyhedra, of which hanging nodes are corners: there such nodes are on walls that
+/// touch, which snappyHexMesh makes. Returns the number of faces with such a node.
+Index check_hanging_on_faces(const Topology& topology, const SpacePoints& x) {
+  Index count = 0;
   const HangingNodes<3> hanging(x, boundary_nodes(topology));
   for_boundary_faces(topology, [&](Index, const Topology::SharedFace& face) {
     Box<3> box = Box<3>::empty();
@@ -250,25 +253,28 @@ void check_hanging_on_faces(const Topology& topology, const SpacePoints& x) {
     const auto node = hanging.first(box, box.size().norm(), [&](Index i) {
       return std::ranges::find(face.nodes, i) == face.nodes.end() && on_face(x, face.nodes, x[i]);
     });
-    if (node) refuse_hanging(*node, "face with " + nodes_text(face.nodes));
+    if (node && !topology.has_polyhedra())
+      refuse_hanging(*node, "face with " + nodes_text(face.nodes));
+    count += node ? 1 : 0;
   });
+  return count;
 }
 
-/// Refuses elements without extent and hanging nodes.
-void check_shapes(const Mesh& mesh) {
+/// Refuses elements without extent and hanging nodes. Returns check_hanging_on_faces().
+Index check_shapes(const Mesh& mesh) {
   const Topology& topology = *mesh.topology;
   if (topology.kind() == MeshKind::volume) {
     const SpacePoints x(mesh.coordinates);
     check_extents(topology, "volume (its corners lie in one plane)",
                   [&](Index e) { return has_volume(x, topology.shape(e), topology.element(e)); });
-    check_hanging_on_faces(topology, x);
-    return;
+    return check_hanging_on_faces(topology, x);
   }
   in_dimension(mesh.coordinates, [&](const auto& x) {
     check_extents(topology, "area (its corners lie on one line)",
                   [&](Index e) { return has_area(x, topology.element(e)); });
     check_hanging(topology, x);
   });
+  return 0;
 }
 
 void check_finite(const Coordinates& coordinates) {
@@ -304,12 +310,18 @@ Mesh make_mesh(const MeshData& data, std::vector<std::string>* warnings) {
   Mesh mesh{Topology::build(data), data.coordinates};
   check_isolated(*mesh.topology);
   const Index doubled = check_duplicates(mesh);
-  check_shapes(mesh);
+  const Index touched = check_shapes(mesh);
   if (warnings) add_warnings(*mesh.topology, *warnings);
   if (warnings && doubled > 0) {
     warnings->push_back(std::to_string(doubled) +
                         " boundary nodes lie where others do: a crack or a baffle, or parts that "
                         "were not joined");
+  }
+  if (warnings && touched > 0) {
+    warnings->push_back(
+        std::to_string(touched) +
+        (touched == 1 ? " boundary face has a node" : " boundary faces have nodes") +
+        " of another one inside: walls that touch, or parts that were not joined");
   }
   return mesh;
 }

@@ -1,5 +1,7 @@
 #include "io/tables/file_defaults.h"
 
+#include <optional>
+
 #include "core/error.h"
 #include "core/geometry/sliding_boundary.h"
 #include "core/strategy/slide_options.h"
@@ -15,15 +17,57 @@ bool contains(std::span<const std::string> names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-void expand(Names& names, const MarkerRoles& roles, const Topology& topology) {
+/// Replaces each name by those that markers_of(name) gives, each once.
+template <typename MarkersOf>
+void expand(Names& names, const MarkersOf& markers_of) {
   Names expanded;
   for (const std::string& name : names) {
-    const auto group = roles.groups.find(name);
-    const bool is_group = group != roles.groups.end() && !topology.markers().find(name);
-    for (const std::string& marker : is_group ? group->second : Names{name})
-      if (!is_group || !contains(expanded, marker)) expanded.push_back(marker);
+    const std::optional<Names> markers = markers_of(name);
+    for (const std::string& marker : markers.value_or(Names{name}))
+      if (!markers || !contains(expanded, marker)) expanded.push_back(marker);
   }
   names = std::move(expanded);
+}
+
+/// The same for all lists of markers of a command.
+template <typename MarkersOf>
+void expand(Command& command, const MarkersOf& markers_of) {
+  std::visit(
+      [&](auto& c) {
+        if constexpr (requires { c.markers; }) {
+          expand(c.markers, markers_of);
+        } else if constexpr (requires { c.bodies; }) {
+          for (MovingBody& body : c.bodies) expand(body.markers, markers_of);
+        } else if constexpr (requires { c.layers.walls; }) {
+          for (LayerWall& wall : c.layers.walls) expand(wall.markers, markers_of);
+        }
+      },
+      command);
+  if (SmoothOptions* smooth = smooth_options(command))
+    for (Names* names : {&smooth->slide.markers, &smooth->slide.fixed, &smooth->slide.held_markers})
+      expand(*names, markers_of);
+}
+
+/// Whether a name is what a pattern says, in which * stands for any characters.
+bool matches(std::string_view pattern, std::string_view name) {
+  // The last * seen, and the part of the name that it does not stand for yet: one more character
+  // goes to it wherever the rest does not fit.
+  std::size_t p = 0, n = 0, star = std::string_view::npos, rest = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      rest = n;
+    } else if (p < pattern.size() && pattern[p] == name[n]) {
+      ++p;
+      ++n;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      n = ++rest;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
 }
 
 /// Whether a node of a marker can slide.
@@ -100,22 +144,38 @@ void add_named_pairs(SlideOptions& slide, const MeshFile& file, const MarkerRole
 }  // namespace
 
 void expand_groups(Command& command, const MarkerRoles& roles, const Topology& topology) {
-  if (roles.groups.empty()) return;
-  const auto replace = [&](Names& names) { expand(names, roles, topology); };
-  std::visit(
-      [&](auto& c) {
-        if constexpr (requires { c.markers; }) {
-          replace(c.markers);
-        } else if constexpr (requires { c.bodies; }) {
-          for (MovingBody& body : c.bodies) replace(body.markers);
-        } else if constexpr (requires { c.layers.walls; }) {
-          for (LayerWall& wall : c.layers.walls) replace(wall.markers);
-        }
-      },
-      command);
-  if (SmoothOptions* smooth = smooth_options(command))
-    for (Names* names : {&smooth->slide.markers, &smooth->slide.fixed, &smooth->slide.held_markers})
-      replace(*names);
+  expand(command, [&](const std::string& name) -> std::optional<Names> {
+    const auto group = roles.groups.find(name);
+    if (group == roles.groups.end() || topology.markers().find(name)) return std::nullopt;
+    return group->second;
+  });
+}
+
+std::vector<Command> with_names_expanded(std::vector<Command> commands,
+                                         const FormatDetails* details, const Topology& topology) {
+  const std::array topologies{&topology};
+  for (Command& command : commands) {
+    if (details) expand_groups(command, details->roles, topology);
+    expand_patterns(command, topologies);
+  }
+  return commands;
+}
+
+void expand_patterns(Command& command, std::span<const Topology* const> topologies) {
+  expand(command, [&](const std::string& name) -> std::optional<Names> {
+    if (name.find('*') == std::string::npos) return std::nullopt;
+    std::string pattern = name;
+    for (std::size_t at = 0; (at = pattern.find(".*", at)) != std::string::npos;)
+      pattern.erase(at, 1);
+    Names found;
+    for (const Topology* topology : topologies) {
+      if (topology->markers().find(name)) return std::nullopt;
+      for (const Marker& marker : topology->markers())
+        if (matches(pattern, marker.name)) found.push_back(marker.name);
+    }
+    if (found.empty()) return std::nullopt;
+    return found;
+  });
 }
 
 std::string add_file_defaults(SmoothOptions& smooth, std::span<const std::string> moving,

@@ -16,6 +16,16 @@ namespace winslow::io {
 /// names that are markers too. mesh: in which the markers are.
 void expand_groups(Command& command, const MarkerRoles& roles, const Topology& topology);
 
+/// Replaces names with a * by those of all markers of the meshes that they match, in the order of
+/// the meshes: * stands for any characters, and so does .*, as in dictionaries of OpenFOAM. A name
+/// that is a marker itself, or that matches none, stays.
+void expand_patterns(Command& command, std::span<const Topology* const> topologies);
+
+/// Commands with the names of groups and the patterns replaced by the markers of one mesh. details:
+/// of its file; null: no groups.
+std::vector<Command> with_names_expanded(std::vector<Command> commands,
+                                         const FormatDetails* details, const Topology& topology);
+
 /// Lets the markers slide that the file calls planes of symmetry, and the pairs move together that
 /// it calls periodic, and those that `more` does (the configuration of a solver), unless a marker
 /// is in slide.fixed, slides or is periodic already, or moves. Does nothing for equations that know

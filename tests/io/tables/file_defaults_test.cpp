@@ -78,6 +78,24 @@ TEST_CASE("names of groups become those of their markers, but for a marker of th
   CHECK(std::get<MoveCommand>(command).bodies[0].markers == Names{"inlet"});
 }
 
+TEST_CASE("a name with a * stands for all markers that it matches") {
+  const io::MeshFile file = io::read_mesh(test_data("openfoam/cyclic"));
+  const auto expanded = [&](const Names& names) {
+    const std::vector<Command> commands =
+        io::with_names_expanded({move_of(names)}, file.details.get(), *file.mesh.topology);
+    return std::get<MoveCommand>(commands[0]).bodies[0].markers;
+  };
+  Names all;
+  for (const Marker& marker : file.mesh.topology->markers()) all.push_back(marker.name);
+  CHECK(expanded({"*"}) == all);
+  CHECK(expanded({".*"}) == all);
+  CHECK(expanded({"cyc*"}) == Names{"cycA", "cycB"});
+  CHECK(expanded({"cyc.*", "baf*", "bafM"}) == Names{"cycA", "cycB", "bafM", "bafS", "bafM"});
+  CHECK(expanded({"*A"}) == Names{"cycA"});
+  CHECK(expanded({"c*c*B", "w*l*.*l*w"}) == Names{"cycB", "walls.low"});
+  CHECK(expanded({"cycAA*", "x*", "b"}) == Names{"cycAA*", "x*", "bafM", "bafS"});
+}
+
 TEST_CASE("a body that ends on a cyclic patch takes the images of its nodes along") {
   const io::MeshFile file = io::read_mesh(test_data("openfoam/cyclic"));
   Command command = move_of({"bafM", "bafS"});

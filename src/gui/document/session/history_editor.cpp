@@ -1,6 +1,7 @@
 #include "gui/document/session/history_editor.h"
 
 #include "io/recipe/recipe.h"
+#include "io/tables/file_defaults.h"
 
 namespace winslow::gui {
 
@@ -116,7 +117,9 @@ bool HistoryEditor::poll() {
       mesh_.document()->edits().keep("Before " + name + " was replayed");
     CommandQueue::Plan plan;
     plan.title = "Replaying " + name;
-    plan.commands = std::move(outcome->commands);
+    const Document& document = *mesh_.document();
+    plan.commands = io::with_names_expanded(
+        std::move(outcome->commands), document.source().details.get(), *document.topology());
     plan.start = mesh_.document()->history().position();
     jobs_.start(std::move(plan));
   }

@@ -6,6 +6,7 @@
 #include "gui/picture/capture/recorder.h"
 #include "gui/picture/figure/vector_figure.h"
 #include "io/recipe/recipe.h"
+#include "io/tables/file_defaults.h"
 
 namespace winslow::gui {
 
@@ -69,10 +70,16 @@ void HeadlessStudio::open(const std::filesystem::path& mesh, const io::ReadOptio
   }
 }
 
+std::vector<Command> HeadlessStudio::expanded(const std::vector<Command>& commands) const {
+  const Document* document = bench_->session().document();
+  if (!document) return commands;
+  return io::with_names_expanded(commands, document->source().details.get(), *document->topology());
+}
+
 void HeadlessStudio::replay(const std::vector<Command>& commands,
                             const std::function<void()>& seen) {
   last_seen_ = Coordinates();
-  for (const Command& command : commands) {
+  for (const Command& command : expanded(commands)) {
     bench_->apply(action::RunCommand{command, static_cast<bool>(seen)});
     throw_if_wrong();
     if (seen) run_stepwise(seen);
@@ -196,7 +203,7 @@ HeadlessResult run_headless(const HeadlessOptions& options) {
         options.warn(text);
     // Reported here; dismiss the prompt, which would be visible in the picture.
     studio.bench().apply(action::DismissPrompt{});
-    if (options.check) options.check(recipe.commands, *document->topology(), mesh.string());
+    if (options.check) options.check(studio.expanded(recipe.commands), *document->topology(), mesh.string());
   }
   if (options.frames.empty()) {
     studio.replay(recipe.commands);

@@ -28,6 +28,8 @@ class HeadlessStudio {
 
   /// Carries out commands, one after the other. seen: called for every new mesh; without it the
   /// solver does not wait. Throws Error.
+  /// The commands with the names of groups and the patterns replaced by markers of the open mesh.
+  std::vector<Command> expanded(const std::vector<Command>& commands) const;
   void replay(const std::vector<Command>& commands, const std::function<void()>& seen = {});
 
  private:
