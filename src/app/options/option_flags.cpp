@@ -371,7 +371,10 @@ void add_direct_flag(CLI::App& app, MotionOptions& options) {
 }
 
 CLI::Option* add_marker_flag(CLI::App& app, std::vector<std::string>& markers) {
-  return app.add_option("--marker", markers, "Marker that moves; several move together, and so do all that NAME matches with a *")
+  return app
+      .add_option(
+          "--marker", markers,
+          "Marker that moves; several move together, and so do all that NAME matches with a *")
       ->required()
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

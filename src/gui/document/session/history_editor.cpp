@@ -118,8 +118,8 @@ bool HistoryEditor::poll() {
     CommandQueue::Plan plan;
     plan.title = "Replaying " + name;
     const Document& document = *mesh_.document();
-    plan.commands = io::with_names_expanded(
-        std::move(outcome->commands), document.source().details.get(), *document.topology());
+    plan.commands = io::with_names_expanded(std::move(outcome->commands),
+                                            document.source().details.get(), *document.topology());
     plan.start = mesh_.document()->history().position();
     jobs_.start(std::move(plan));
   }

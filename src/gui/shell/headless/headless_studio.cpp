@@ -203,7 +203,8 @@ HeadlessResult run_headless(const HeadlessOptions& options) {
         options.warn(text);
     // Reported here; dismiss the prompt, which would be visible in the picture.
     studio.bench().apply(action::DismissPrompt{});
-    if (options.check) options.check(studio.expanded(recipe.commands), *document->topology(), mesh.string());
+    if (options.check)
+      options.check(studio.expanded(recipe.commands), *document->topology(), mesh.string());
   }
   if (options.frames.empty()) {
     studio.replay(recipe.commands);
