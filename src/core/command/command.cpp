@@ -266,13 +266,16 @@ std::unique_ptr<Motion> motion_of(const DeformCommand& command, const MeshState&
       command.shape);
 }
 
+BodyNodes bodies_of(const Command& command, const Motion& motion, const MeshState& state) {
+  return markers_of(command).empty() ? body_nodes_of_table(motion, state.mesh)
+                                     : body_nodes(motion, state.mesh.coordinates);
+}
+
 template <class Moving>
 requires(requires(Moving command) { command.how; }) CommandResult
     execute_one(const Moving& command, const MeshState& state, const RunOptions& options) {
   const auto motion = motion_of(command, state);
-  const BodyNodes bodies = markers_of(Command(command)).empty()
-                               ? body_nodes_of_table(*motion, state.mesh)
-                               : body_nodes(*motion, state.mesh.coordinates);
+  const BodyNodes bodies = bodies_of(command, *motion, state);
   return run_motion(state, *motion, bodies, command.how, command.smooth, options);
 }
 
@@ -401,7 +404,7 @@ Command completed(Command command, const RunOptions& options) {
 /// Executes a command on a plane or volume mesh: in coordinates near the mesh, with sliding nodes
 /// on their reference surface.
 CommandResult carry_out_near_origin(const Command& command, const MeshState& state,
-                                    const RunOptions& options) {
+                                    const RunOptions& options, const CarryOut& carry_out) {
   const LocalFrame frame(state.mesh);
   const std::optional<ReferenceStart> placed = on_reference(command, state, options);
   const MeshState& from = placed ? placed->state : state;
@@ -522,13 +525,49 @@ CommandResult execute(const ResolvedCommand& resolved, const MeshState& state,
   if (moves_nothing(command, state)) return unchanged(state);
   CommandResult result = is_surface(*state.mesh.topology)
                              ? carry_out(command, state, options)
-                             : carry_out_near_origin(command, state, options);
+                             : carry_out_near_origin(command, state, options, carry_out);
   result.state.reference = keeps_reference(command) ? reference_of(state) : nullptr;
   // The count always refers to the returned mesh.
   const Mesh& mesh = result.state.mesh;
   const std::vector<Vec3> normals = reference_normals(result.state, mesh.coordinates);
   result.smooth.inverted = check_validity(*mesh.topology, mesh.coordinates, 0, normals).inverted;
   return result;
+}
+
+MotionEquations equations_of(const ResolvedCommand& resolved, const MeshState& state,
+                             const Coordinates& start, const RunOptions& given) {
+  RunOptions options = given;
+  options.files = resolved.files();
+  options.start = &start;
+  const Command command = completed(resolved.command(), options);
+  const LinearCheckpoint checkpoint([monitor = options.monitor] {
+    if (monitor && monitor->cancelled()) throw Cancelled();
+  });
+  require_dimension(command, state);
+  MotionEquations equations;
+  const auto prepare = [&](const Command& local, const MeshState& from, const RunOptions& how) {
+    std::visit(
+        [&](const auto& c) {
+          if constexpr (requires { c.how; }) {
+            require_sound(c.how, c.smooth);
+            if (from.layers && from.layers->held)
+              throw UsageError("what a mesh with held layers depends on is not known yet");
+            if (!from.held_walls.empty())
+              throw UsageError("what a mesh with held layers depends on is not known yet");
+            const auto motion = motion_of(c, from);
+            const BodyNodes bodies = bodies_of(c, *motion, from);
+            RunOptions run = how;
+            run.bodies = &bodies;
+            equations = solve_at_end(from, *motion, c.smooth, *how.start, run);
+          } else {
+            throw UsageError(std::string(c.name) + ": no motion, so the mesh depends on nothing");
+          }
+        },
+        local);
+    return CommandResult{from, {}};
+  };
+  carry_out_near_origin(command, state, options, prepare);
+  return equations;
 }
 
 }  // namespace winslow

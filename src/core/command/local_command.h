@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/command/command.h"
+#include "core/strategy/smooth_run.h"
 
 /// Commands in coordinates near the mesh: execute() carries out commands on a mesh far from the
 /// origin by carry_out_in().
@@ -14,5 +15,11 @@ using CarryOut = std::function<CommandResult(const Command& command, const MeshS
 /// those of the state. Throws as carry_out() does.
 CommandResult carry_out_in(const LocalFrame& frame, const Command& command, const MeshState& state,
                            const RunOptions& options, const CarryOut& carry_out);
+
+/// The equations of which the result of a motion is the solution, in coordinates near the mesh. For
+/// MeshSensitivity. start: the result, or a mesh near it. Throws UsageError for a command that is
+/// no motion or does not smooth, and what execute() throws.
+MotionEquations equations_of(const ResolvedCommand& command, const MeshState& state,
+                             const Coordinates& start, const RunOptions& options);
 
 }  // namespace winslow

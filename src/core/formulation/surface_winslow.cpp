@@ -394,6 +394,15 @@ ResidualNorms SurfaceWinslow::residual(const Coordinates& x, std::span<double> o
   return assemble(x, nullptr, Second::none, nullptr, out).norms;
 }
 
+Coordinates SurfaceWinslow::hessian_product(const Coordinates&, const Coordinates&) const {
+  throw UsageError("the boundary of a surface mesh does not move: nothing depends on it");
+}
+
+void SurfaceWinslow::velocities_transpose(const Coordinates& x, const Coordinates& forces,
+                                          std::span<double>) const {
+  static_cast<void>(hessian_product(x, forces));
+}
+
 void SurfaceWinslow::boundary_response(const Coordinates&, const Coordinates&,
                                        std::span<double> out) const {
   std::ranges::fill(out, 0.0);

@@ -55,6 +55,9 @@ class SurfaceWinslow final : public TargetForm<2> {
 
   ResidualNorms residual(const Coordinates& x, std::span<double> out) const override;
   /// Zero: no node is prescribed.
+  Coordinates hessian_product(const Coordinates& x, const Coordinates& velocities) const override;
+  void velocities_transpose(const Coordinates& x, const Coordinates& forces,
+                            std::span<double> out) const override;
   void boundary_response(const Coordinates& x, const Coordinates& displacement,
                          std::span<double> out) const override;
   std::shared_ptr<const EnergyProblem> holding_stuck_nodes(const Coordinates& x,

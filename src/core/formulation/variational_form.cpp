@@ -74,17 +74,18 @@ Regularisation TargetForm<D>::full_regularisation(const Coordinates& x) const {
 }
 
 template <int D>
-distortion::SimplexData TargetForm<D>::data(const double* points, const Index* nodes,
+distortion::SimplexData TargetForm<D>::data(const Targets& targets, const double* points,
+                                            const Index* nodes,
                                             const Regularisation* regularisation) const {
   static_assert(sizeof(typename Targets::Term) ==
                 distortion::SimplexLayout<D>::term * sizeof(double));
   distortion::SimplexData data;
   data.x = points;
   data.nodes = nodes;
-  data.offsets = shapes_->offsets.data();
+  data.offsets = targets.offsets.data();
   // Points to the first member of the first term: terms consist only of numbers.
-  data.terms = reinterpret_cast<const double*>(shapes_->terms.data());
-  if (has_guards()) data.inverse_limits = shapes_->inverse_limits.data();
+  data.terms = reinterpret_cast<const double*>(targets.terms.data());
+  if (has_guards()) data.inverse_limits = targets.inverse_limits.data();
   data.penalty = psi().constants();
   if (regularisation) {
     data.size = regularisation->size.data();

@@ -114,6 +114,15 @@ class VariationalForm : public NodeProblem<UntanglingProblem> {
   /// Adds the memory of its targets, and of the data that depend on the connectivity.
   virtual void count(MemoryUse& use) const = 0;
 
+  /// d2E/dx2 v, over all nodes as if each had its own unknowns. velocities: v, as large as x.
+  /// Throws UsageError for a surface mesh, whose boundary does not move.
+  virtual Coordinates hessian_product(const Coordinates& x,
+                                      const Coordinates& velocities) const = 0;
+  /// The transpose of velocities(): `forces` on all nodes (as large as x) as those along the
+  /// unknowns (#unknowns).
+  virtual void velocities_transpose(const Coordinates& x, const Coordinates& forces,
+                                    std::span<double> out) const = 0;
+
  protected:
   VariationalForm(NodeUnknowns nodes, const PenaltyOptions& penalty)
       : NodeProblem(std::move(nodes)), penalty_(penalty) {}
@@ -188,6 +197,11 @@ class TargetForm : public VariationalForm {
 
   /// Input of the kernel. points, nodes: of all cells.
   distortion::SimplexData data(const double* points, const Index* nodes,
+                               const Regularisation* regularisation) const {
+    return data(*shapes_, points, nodes, regularisation);
+  }
+  /// The same for other targets, of any cells, with the form's penalty.
+  distortion::SimplexData data(const Targets& targets, const double* points, const Index* nodes,
                                const Regularisation* regularisation) const;
   /// The energy of all cells.
   double sum_energy(const distortion::SimplexData& cells) const;

@@ -313,6 +313,88 @@ void SimplexWinslow<D>::boundary_response(const Coordinates& x, const Coordinate
   reduction.reduce(full, out, nullptr);
 }
 
+namespace {
+
+/// Calls visit(cell, its sum) for all cells in ascending order. The sums are computed in parallel.
+template <int D, typename Visit>
+void for_each_sum(const distortion::SimplexKernel<D>& kernel, const SimplexData& data, Index cells,
+                  int threads, const Visit& visit) {
+  constexpr Index chunk = 4096, block = 256, room = 3;
+  std::vector<double> sums(at(chunk + room) * Layout<D>::sum);
+  std::vector<Index> list(at(chunk));
+  for (Index begin = 0; begin < cells; begin += chunk) {
+    const Index count = std::min(chunk, cells - begin);
+    std::iota(list.begin(), list.begin() + count, begin);
+    parallel_for(
+        threads, count,
+        [&](Index first, Index last) {
+          // The kernel writes up to three sums more than asked for: keep them off other blocks.
+          std::vector<double> own(at(last - first + room) * Layout<D>::sum);
+          kernel.sum(data, list.data() + first, last - first, 0, own.data());
+          std::copy_n(own.begin(), at(last - first) * Layout<D>::sum,
+                      sums.begin() + first * Layout<D>::sum);
+        },
+        block);
+    for (Index i = 0; i < count; ++i) visit(begin + i, sums.data() + i * Layout<D>::sum);
+  }
+}
+
+}  // namespace
+
+template <int D>
+Coordinates SimplexWinslow<D>::hessian_product(const Coordinates& x,
+                                               const Coordinates& velocities) const {
+  Coordinates out(D, x.size());
+  const Points<D> v(velocities);
+  using Block = Eigen::Map<const Eigen::Matrix<double, D, D, Eigen::RowMajor>>;
+  const auto count = static_cast<Index>(this->shapes().cells.size());
+  for_each_sum<D>(this->kernel(), data(x, nullptr), count, this->threads(),
+                  [&](Index cell, const double* block) {
+                    const auto& nodes = this->shapes().cells[at(cell)];
+                    for (std::size_t a = 0; a <= D; ++a) {
+                      for (std::size_t b = a + 1; b <= D; ++b, block += D * D) {
+                        // The blocks of a row sum to zero.
+                        const Vec<D> relative = v[nodes[b]] - v[nodes[a]];
+                        const Block h(block);
+                        out.set<D>(nodes[a], out.get<D>(nodes[a]) + h * relative);
+                        out.set<D>(nodes[b], out.get<D>(nodes[b]) - h.transpose() * relative);
+                      }
+                    }
+                  });
+  return out;
+}
+
+template <int D>
+void SimplexWinslow<D>::velocities_transpose(const Coordinates& x, const Coordinates& forces,
+                                             std::span<double> out) const {
+  RowReduction<D> reduction(*structure_, this->node_unknowns(), x, this->stuck());
+  const std::span<double> full = reduction.all_rows(out);
+  const std::vector<Index>& row_of_node = structure_->row_of_node;
+  const Points<D> of(forces);
+  for (Index node = 0; node < x.size(); ++node)
+    if (const Index row = row_of_node[at(node)]; row >= 0)
+      Eigen::Map<Vec<D>>(full.data() + D * at(row)) = of[node];
+  reduction.reduce(full, out, nullptr);
+}
+
+template <int D>
+std::vector<double> SimplexWinslow<D>::cell_gradients(const Coordinates& x,
+                                                      const Targets& targets) const {
+  x.require_dimension(D);
+  const auto count = static_cast<Index>(targets.cells.size());
+  std::vector<double> out(at(count) * (D + 1) * D);
+  if (count == 0) return out;
+  const SimplexData seen =
+      TargetForm<D>::data(targets, x.values().data(), targets.cells.front().data(), nullptr);
+  constexpr std::ptrdiff_t gradient = D == 2 ? 0 : Layout<D>::gradient;
+  for_each_sum<D>(this->kernel(), seen, count, this->threads(), [&](Index cell, const double* sum) {
+    double* own = &out[at(cell) * (D + 1) * D];
+    for (std::ptrdiff_t k = 0; k <= D; ++k)
+      std::copy_n(sum + Layout<D>::corners + k * Layout<D>::corner + gradient, D, own + k * D);
+  });
+  return out;
+}
+
 /// The form of a volume mesh. Its rows are those of RowBlocks.
 class VolumeFirstOrder final : public FirstOrderForm {
  public:

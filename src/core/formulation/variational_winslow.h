@@ -55,6 +55,12 @@ class SimplexWinslow final : public TargetForm<D> {
                                                            std::span<const double> direction,
                                                            double step) const override;
   std::unique_ptr<const TargetPath> target_path(const Coordinates& from) const override;
+  Coordinates hessian_product(const Coordinates& x, const Coordinates& velocities) const override;
+  void velocities_transpose(const Coordinates& x, const Coordinates& forces,
+                            std::span<double> out) const override;
+  /// Gradients of the energy of any cells: D numbers for each of their nodes, cell after cell.
+  /// targets: of these cells; with inverse limits if the form has guards.
+  std::vector<double> cell_gradients(const Coordinates& x, const Targets& targets) const;
   /// Null in the plane, and where nodes depend on others (periodic pairs, rows along curves).
   std::shared_ptr<const FirstOrderForm> first_order() const override;
 

@@ -140,7 +140,8 @@ struct WallBelow {
   /// Projection onto the directions along the wall. Under an element that stands on an edge or a
   /// node of the wall, as in a fan, these are the edge, or none.
   Eigen::Matrix3d along;
-  int directions;  ///< number of them
+  int directions;            ///< number of them
+  std::vector<Index> faces;  ///< under it
 };
 
 /// Finds the walls under elements.
@@ -165,7 +166,7 @@ class WallsBelow {
     std::ranges::sort(below);
     below.erase(std::unique(below.begin(), below.end()), below.end());
     if (below.empty()) return std::nullopt;
-    const auto [squares, normals] = means_over_faces(below);
+    auto [squares, normals, under] = means_over_faces(below);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> of_normals(normals);
     const int dimension = reference_.dimension();
     // Over a sharp edge or corner an element may stand on that alone, as in a fan.
@@ -175,13 +176,13 @@ class WallsBelow {
       if (below.size() == 1) return std::nullopt;
       if (below.size() == 2 && dimension == 3) {
         const Vec3 edge = place_of(reference_, below[1]) - place_of(reference_, below[0]);
-        return WallBelow{squares, projection_onto(edge), 1};
+        return WallBelow{squares, projection_onto(edge), 1, std::move(under)};
       }
     }
     const Vec3 normal = of_normals.eigenvectors().col(2);
     Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - projection_onto(normal);
     if (dimension == 2) along -= projection_onto(Vec3::UnitZ());
-    return WallBelow{squares, along, dimension - 1};
+    return WallBelow{squares, along, dimension - 1, std::move(under)};
   }
 
   const WaysToWalls& ways() const { return ways_; }
@@ -189,6 +190,7 @@ class WallsBelow {
  private:
   struct Means {
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero(), normals = Eigen::Matrix3d::Zero();
+    std::vector<Index> faces;
   };
 
   /// Means over the faces with most of these wall nodes.
@@ -202,9 +204,12 @@ class WallsBelow {
     for (const auto& [f, nodes] : shared) {
       means.squares += faces_[at(f)].squares;
       means.normals += faces_[at(f)].normals;
+      means.faces.push_back(f);
     }
     const auto count = static_cast<double>(shared.size());
-    return {means.squares / count, means.normals / count};
+    means.squares /= count;
+    means.normals /= count;
+    return means;
   }
 
   const Topology& topology_;
@@ -236,13 +241,14 @@ double share_at(double length_over_height) {
   return t * t * (3 - 2 * t);
 }
 
-/// U^s.
-Eigen::Matrix3d map_of(const WallBelow& wall, double share) {
-  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - wall.along;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-      wall.along * wall.squares * wall.along + across);
+/// U^s, times the factor of the height across the wall.
+Eigen::Matrix3d map_of(const Eigen::Matrix3d& squares, const Eigen::Matrix3d& along, double share,
+                       double height) {
+  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - along;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(along * squares * along + across);
   const Vec3 powers = (0.5 * share * eigen.eigenvalues().array().log()).exp();
-  return eigen.eigenvectors() * powers.asDiagonal() * eigen.eigenvectors().transpose();
+  return eigen.eigenvectors() * powers.asDiagonal() * eigen.eigenvectors().transpose() +
+         (height - 1) * across;
 }
 
 /// The factor of an element's height: the geometric mean over its held edges; none: it has none.
@@ -279,12 +285,118 @@ std::shared_ptr<const WallStretch> WallStretch::find(const NodeClasses& classes,
     if (!stretched && !factor) continue;
     const double share = share_at(length_over_height(nodes, reference, *wall));
     if (share == 0) continue;
-    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - wall->along;
-    const double height = std::pow(factor.value_or(1), share);
-    result->elements_.emplace(
-        e, Seen{winslow::map_of(*wall, share) + (height - 1) * across, factor.has_value()});
+    result->elements_.emplace(e, Seen{winslow::map_of(wall->squares, wall->along, share,
+                                                      std::pow(factor.value_or(1), share)),
+                                      factor.has_value()});
   }
   return result;
+}
+
+namespace {
+
+/// Unit vectors along a wall.
+std::vector<Vec3> tangents_of(const WallBelow& wall) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(wall.along);
+  std::vector<Vec3> tangents;
+  for (int k = 3 - wall.directions; k < 3; ++k) tangents.emplace_back(eigen.eigenvectors().col(k));
+  return tangents;
+}
+
+/// The tangents of a parameter.
+std::array<std::size_t, 2> pair_of(int parameter) {
+  return parameter == 2 ? std::array<std::size_t, 2>{0, 1}
+                        : std::array<std::size_t, 2>{at(parameter), at(parameter)};
+}
+
+}  // namespace
+
+WallStretchDerivative::WallStretchDerivative(const NodeClasses& classes,
+                                             const Coordinates& reference, const Coordinates& moved,
+                                             std::span<const double> factors)
+    : dimension_(reference.dimension()) {
+  const Walls walls(classes, reference, moved);
+  const Topology& topology = classes.topology();
+  const WallsBelow walls_below(topology, reference, walls.faces());
+  for (const WallFace& face : walls.faces())
+    faces_.push_back(
+        {face.nodes, frame_of(face.nodes, reference).inverse(), frame_of(face.nodes, moved)});
+  for (Index e = 0; e < topology.element_count(); ++e) {
+    const auto nodes = topology.element(e);
+    auto wall = walls_below.of(e);
+    if (!wall) continue;
+    const double share = share_at(length_over_height(nodes, reference, *wall));
+    if (share == 0) continue;
+    const auto factor = height_factor(nodes, walls_below.ways(), factors);
+    elements_.push_back(e);
+    below_.push_back({wall->squares, wall->along, tangents_of(*wall), std::move(wall->faces), share,
+                      std::pow(factor.value_or(1), share), factor.has_value()});
+  }
+}
+
+std::shared_ptr<const WallStretch> WallStretchDerivative::changed(int parameter,
+                                                                  double change) const {
+  const auto result = std::make_shared<WallStretch>();
+  const auto [i, j] = pair_of(parameter);
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const Below& wall = below_[k];
+    Eigen::Matrix3d squares = wall.squares;
+    if (const auto& t = wall.tangents; j < t.size()) {
+      const Eigen::Matrix3d product = t[i] * t[j].transpose();
+      squares += i == j ? Eigen::Matrix3d(change * product)
+                        : Eigen::Matrix3d(change * (product + product.transpose()));
+    }
+    if (squares.isIdentity(0) && !wall.held) continue;
+    result->elements_.emplace(
+        elements_[k],
+        WallStretch::Seen{map_of(squares, wall.along, wall.share, wall.height), wall.held});
+  }
+  return result->elements_.empty() ? nullptr : result;
+}
+
+/// Calls visit(place of the rate, node, vector) for each term of the rates: the product of the
+/// node's velocity and the vector.
+template <typename Visit>
+void WallStretchDerivative::for_each_part(const Visit& visit) const {
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const Below& wall = below_[k];
+    for (int parameter = 0; parameter < parameters(); ++parameter) {
+      const auto [i, j] = pair_of(parameter);
+      if (j >= wall.tangents.size()) continue;
+      const std::size_t place = k * at(parameters()) + at(parameter);
+      for (const Index f : wall.faces) {
+        const StretchedFace& face = faces_[at(f)];
+        const Vec3 a = face.inverse * wall.tangents[i], b = face.inverse * wall.tangents[j];
+        const auto stretched = [&](const Vec3& c) {
+          return Vec3(face.moved.col(0) * c[0] + face.moved.col(1) * c[1]);
+        };
+        const Vec3 to_a = stretched(a), to_b = stretched(b);
+        const double part = 1 / static_cast<double>(wall.faces.size());
+        // The edges of frame_of(): from their first to their second nodes.
+        const auto edge = [&](int column, std::size_t from, std::size_t to) {
+          const Vec3 slope = part * (a[column] * to_b + b[column] * to_a);
+          visit(place, face.nodes[to], slope);
+          visit(place, face.nodes[from], Vec3(-slope));
+        };
+        const bool four = face.nodes.size() > 3;
+        edge(0, 0, four ? 2 : 1);
+        if (face.nodes.size() > 2) edge(1, four ? 1 : 0, four ? 3 : 2);
+      }
+    }
+  }
+}
+
+void WallStretchDerivative::add_rates(const Coordinates& velocities,
+                                      std::span<double> rates) const {
+  for_each_part([&](std::size_t place, Index node, const Vec3& slope) {
+    rates[place] += slope.dot(place_of(velocities, node));
+  });
+}
+
+void WallStretchDerivative::add_transpose(std::span<const double> multipliers,
+                                          Coordinates& out) const {
+  for_each_part([&](std::size_t place, Index node, const Vec3& slope) {
+    set_place(out, node, place_of(out, node) + multipliers[place] * slope);
+  });
 }
 
 std::vector<LayerEdge> layer_edges(const Mesh& mesh, std::span<const Index> wall_nodes) {

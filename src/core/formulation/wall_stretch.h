@@ -55,11 +55,65 @@ class WallStretch {
   }
 
  private:
+  friend class WallStretchDerivative;
+
   struct Seen {
     Eigen::Matrix3d map;
     bool held;
   };
   std::map<Index, Seen> elements_;
+};
+
+/// How the maps of a WallStretch depend on where the walls are: first through parameters of the
+/// elements, t_i^T S t_j with the mean S of F^T F + n n^T over the faces under the element and the
+/// tangents t_i of the wall there. An element has one such parameter in the plane and over an edge
+/// of a wall in space, else three: (1, 1), (2, 2), (1, 2).
+///
+///     const winslow::WallStretchDerivative walls(classes, reference, moved, {});
+///     walls.add_rates(velocities, rates);                      // forward, element after element
+///     const auto more = walls.changed(parameter, 1e-4);        // maps with one parameter changed
+class WallStretchDerivative {
+ public:
+  /// As WallStretch::find(). Elements count also over walls that are not stretched.
+  WallStretchDerivative(const NodeClasses& classes, const Coordinates& reference,
+                        const Coordinates& moved, std::span<const double> factors);
+
+  /// The elements whose maps depend on the walls, ascending.
+  const std::vector<Index>& elements() const { return elements_; }
+  /// Largest number of parameters of an element: 1 in the plane, 3 in space.
+  int parameters() const { return dimension_ == 2 ? 1 : 3; }
+
+  /// The maps if one parameter (0 to parameters() - 1) of all elements that have it increases by
+  /// `change`; with a change of 0 those of WallStretch::find(). Null if all are the identity.
+  std::shared_ptr<const WallStretch> changed(int parameter, double change) const;
+
+  /// Adds the rates of the parameters (#elements() by parameters()) if the nodes of walls move at
+  /// these velocities (#nodes by 2 or 3; others are not read).
+  void add_rates(const Coordinates& velocities, std::span<double> rates) const;
+  /// The transpose: adds the products of the multipliers of the rates to the nodes of walls.
+  void add_transpose(std::span<const double> multipliers, Coordinates& out) const;
+
+ private:
+  struct Below {
+    Eigen::Matrix3d squares, along;
+    std::vector<Vec3> tangents;
+    std::vector<Index> faces;  // into faces_
+    double share, height;
+    bool held;
+  };
+  /// What a product of two stretched tangents depends on: the edges of a face.
+  struct StretchedFace {
+    Face nodes;
+    Eigen::Matrix3d inverse;  // of the frame in the reference mesh
+    Eigen::Matrix3d moved;    // frame after the motion
+  };
+  template <typename Visit>
+  void for_each_part(const Visit& visit) const;
+
+  int dimension_;
+  std::vector<Index> elements_;
+  std::vector<Below> below_;  // of elements_
+  std::vector<StretchedFace> faces_;
 };
 
 /// An edge up a column of layers: the height of one layer there.

@@ -26,6 +26,8 @@ class EnergyNewton final : public SteadySolver {
                const NewtonOptions& options);
 
   const SmoothingProblem& problem() const override { return *problem_; }
+  /// The same, to keep it.
+  const std::shared_ptr<const EnergyProblem>& shared_problem() const { return problem_; }
   /// Switches to another problem with the same number of unknowns. Call start() next.
   void set_problem(std::shared_ptr<const EnergyProblem> problem) { problem_ = std::move(problem); }
 

@@ -546,6 +546,39 @@ SmoothResult smooth_motion(const MeshState& state, const Motion& motion, const M
   return smooth_complete_motion(state, *periodic.motion, how, asked, x, with_images);
 }
 
+MotionEquations solve_at_end(const MeshState& state, const Motion& motion,
+                             const SmoothOptions& asked, const Coordinates& start,
+                             const RunOptions& run) {
+  SmoothOptions options = independent_of_start(asked);
+  options.targets = options.targets.or_else(TargetBlend::keeping());
+  if (options.formulation != Formulation::variational || by_fixed_point(options))
+    throw UsageError(
+        "what a mesh depends on is known for meshes that minimise an energy: expected the "
+        "variational form and Newton's method");
+  const PeriodicMotion periodic = with_images_of_sides(state, motion, options, run);
+  const Motion& bodies = periodic.motion ? *periodic.motion : motion;
+  RunOptions with_images = run;
+  if (periodic.motion && run.bodies) with_images.bodies = &periodic.bodies;
+  MotionEquations out;
+  CurveRows rows;
+  out.classes = classes_of(state, &bodies, options, with_images, out.result, rows);
+  out.workspace = std::make_shared<SmoothingWorkspace>();
+  SmoothingWorkspace& workspace = *out.workspace;
+  workspace.prepare(state, out.classes, options, state.reference,
+                    wall_stretch(state, *out.classes, options, &bodies, run));
+  Coordinates& x = out.solution = state.mesh.coordinates;
+  const auto with_held_rows = rows.empty() ? nullptr : with_rows(bodies, rows);
+  (with_held_rows ? *with_held_rows : bodies).apply(state.mesh.coordinates, 1, x);
+  x = unknowns_within(*out.classes, start, std::move(x));
+  const auto energy = workspace.energy();
+  energy->advance(std::vector<double>(energy->unknowns(), 0.0), 0, x);  // onto curves, surfaces
+  RunRecorder recorder(run.monitor, out.result, options.max_iterations);
+  make_newton_run(state, workspace, recorder)->smooth(x, 1, nullptr);
+  out.form = std::dynamic_pointer_cast<const VariationalForm>(workspace.newton().shared_problem());
+  out.reference = *reference_of(state);
+  return out;
+}
+
 Coordinates starting_point(const MeshState& state, const RunOptions& options) {
   if (!options.start) return state.mesh.coordinates;
   if (!options.start->alike(state.mesh.coordinates))

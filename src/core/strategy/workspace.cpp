@@ -206,6 +206,13 @@ std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy() {
   });
 }
 
+std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy_with(
+    std::shared_ptr<const WallStretch> stretch) {
+  FormKey key = form_key();
+  key.wall_stretch = std::move(stretch);
+  return make_form(key);
+}
+
 PicardSolver& SmoothingWorkspace::picard() {
   const ClipVariants<EquationProblem> problems = pointwise();
   const auto& linear = general_solver(made_.linear);

@@ -118,6 +118,8 @@ class SmoothingWorkspace {
   /// With the penalty of the options.
   std::shared_ptr<const VariationalForm> energy();
   EnergyNewton& newton();
+  /// energy() of the same mesh if its walls were stretched otherwise; not kept.
+  std::shared_ptr<const VariationalForm> energy_with(std::shared_ptr<const WallStretch> stretch);
   /// Newton's method on the formulation of the options.
   SteadySolver& steady_solver();
   EquationNewton& pointwise_newton();

@@ -1,0 +1,187 @@
+#include "core/sensitivity/mesh_sensitivity.h"
+
+#include <mutex>
+#include <numeric>
+
+#include "core/command/local_command.h"
+#include "core/error.h"
+#include "core/sensitivity/target_response.h"
+#include "core/strategy/workspace.h"
+
+namespace winslow {
+
+class MeshSensitivity::Impl {
+ public:
+  Impl(const MeshState& state, const ResolvedCommand& motion, const Coordinates& moved,
+       const RunOptions& options)
+      : equations_(equations_of(motion, state, moved, options)) {
+    require_solution();
+    const Topology& topology = equations_.classes->topology();
+    for (Index node = 0; node < topology.node_count(); ++node)
+      if (!equations_.classes->moves(node)) boundary_.push_back(node);
+    require_free_rows();
+    prepare_targets(topology);
+    prepare_solver();
+    // The equations are in coordinates near the mesh.
+    mesh_ = LocalFrame(state.mesh).to_mesh(equations_.solution, moved);
+  }
+
+  const Coordinates& mesh() const { return mesh_; }
+  const std::vector<Index>& boundary() const { return boundary_; }
+
+  Coordinates forward(const Coordinates& given) const {
+    require_alike(given);
+    Coordinates out(mesh_.dimension(), mesh_.size());
+    for (const Index node : boundary_) out.copy_node(node, given);
+    Coordinates forces = form().hessian_product(equations_.solution, out);
+    if (targets_) targets_->add_forces(out, forces);
+    std::vector<double> rhs(form().unknowns());
+    form().velocities_transpose(equations_.solution, forces, rhs);
+    for (double& value : rhs) value = -value;
+    form().velocities(equations_.solution, solve(rhs), out);
+    return out;
+  }
+
+  Coordinates transpose(const Coordinates& function) const {
+    require_alike(function);
+    std::vector<double> rhs(form().unknowns());
+    form().velocities_transpose(equations_.solution, function, rhs);
+    Coordinates multipliers(mesh_.dimension(), mesh_.size());
+    form().velocities(equations_.solution, solve(rhs), multipliers);
+    Coordinates response = form().hessian_product(equations_.solution, multipliers);
+    if (targets_) targets_->add_transpose(multipliers, response);
+    Coordinates out(mesh_.dimension(), mesh_.size());
+    for (const Index node : boundary_)
+      set_place(out, node, place_of(function, node) - place_of(response, node));
+    return out;
+  }
+
+  Frozen frozen() const {
+    const PenaltyOptions& penalty = form().penalty();
+    return {penalty.knee, penalty.raise, form().stuck_nodes()};
+  }
+  std::string solver() const {
+    const std::lock_guard lock(mutex_);
+    return linear_->description();
+  }
+
+ private:
+  static constexpr double tight = 1e-12;  // relative residual of linear solves
+
+  const VariationalForm& form() const { return *equations_.form; }
+
+  void require_solution() const {
+    const SmoothResult& result = equations_.result;
+    if (result.converged && equations_.form) return;
+    char residual[32];
+    std::snprintf(residual, sizeof residual, "%.1e", result.residual);
+    throw NumericError(
+        "the mesh is no solution of its equations, and none was found near it (residual " +
+        std::string(residual) +
+        "): its derivative is not defined. Expected the converged result of the motion");
+  }
+  /// Rows of nodes along a curve follow their ends: a prescribed end would have to take them along.
+  void require_free_rows() const {
+    const NodeClasses& classes = *equations_.classes;
+    for (const auto& row : classes.tied().rows())
+      for (const Index end : {row->first(), row->last()})
+        if (classes[end] == NodeClass::prescribed)
+          throw UsageError("node " + std::to_string(end) +
+                           " is the end of a row of nodes whose spacing is held, and it is moved: "
+                           "the derivative of such rows is not known. Expected "
+                           "slide.spacing = free");
+  }
+  void require_alike(const Coordinates& given) const {
+    if (given.alike(mesh_)) return;
+    throw UsageError("found vectors at " + std::to_string(given.size()) + " nodes with " +
+                     std::to_string(given.dimension()) + " components, expected " +
+                     std::to_string(mesh_.size()) + " with " + std::to_string(mesh_.dimension()));
+  }
+
+  void prepare_targets(const Topology& topology) {
+    SmoothingWorkspace& workspace = *equations_.workspace;
+    if (!(workspace.options().targets.keep > 0)) return;
+    WallStretchDerivative walls(*equations_.classes, equations_.reference, equations_.solution, {});
+    const auto with_stretch = [&](std::shared_ptr<const WallStretch> stretch) {
+      return workspace.energy_with(std::move(stretch));
+    };
+    targets_ =
+        target_response(form(), std::move(walls), with_stretch, topology, equations_.solution);
+  }
+  void prepare_solver() {
+    const SmoothOptions& options = equations_.workspace->options();
+    LinearOptions linear = options.linear;
+    linear.tolerance = tight;
+    linear.max_iterations = std::max(linear.max_iterations, 1000);
+    linear_ = make_linear_solver(linear, options.threads);
+    std::vector<double> residual(form().unknowns());
+    form().linearise(equations_.solution, Curvature::exact, hessian_, residual);
+    if (!residual.empty()) linear_->set_matrix(hessian_);
+  }
+
+  std::vector<double> solve(std::span<const double> rhs) const {
+    std::vector<double> out(rhs.size(), 0.0);
+    if (rhs.empty() || std::ranges::all_of(rhs, [](double v) { return v == 0; })) return out;
+    const std::lock_guard lock(mutex_);
+    const LinearResult result = linear_->solve(rhs, 1, out);
+    constexpr double enough = 1e-9;
+    if (!(result.relative_residual < enough))
+      throw NumericError("the linear solver (" + linear_->description() +
+                         ") did not converge for the derivative of the mesh: choose another one, "
+                         "for example \"direct\"");
+    return out;
+  }
+
+  MotionEquations equations_;
+  std::vector<Index> boundary_;
+  Coordinates mesh_;
+  std::unique_ptr<const TargetResponse> targets_;  // null: the targets do not depend on walls
+  SparseMatrix hessian_;
+  mutable std::mutex mutex_;  // of the solver
+  std::unique_ptr<LinearSolver> linear_;
+};
+
+MeshSensitivity::MeshSensitivity(const MeshState& state, const ResolvedCommand& motion,
+                                 const Coordinates& moved, const RunOptions& options)
+    : impl_(std::make_unique<const Impl>(state, motion, moved, options)) {}
+MeshSensitivity::~MeshSensitivity() = default;
+MeshSensitivity::MeshSensitivity(MeshSensitivity&&) noexcept = default;
+MeshSensitivity& MeshSensitivity::operator=(MeshSensitivity&&) noexcept = default;
+
+const Coordinates& MeshSensitivity::mesh() const { return impl_->mesh(); }
+const std::vector<Index>& MeshSensitivity::boundary() const { return impl_->boundary(); }
+Coordinates MeshSensitivity::forward(const Coordinates& boundary) const {
+  return impl_->forward(boundary);
+}
+Coordinates MeshSensitivity::transpose(const Coordinates& function) const {
+  return impl_->transpose(function);
+}
+MeshSensitivity::Frozen MeshSensitivity::frozen() const { return impl_->frozen(); }
+std::string MeshSensitivity::solver() const { return impl_->solver(); }
+
+Coordinates parameter_velocities(const Mesh& moved, const MovingBody& body,
+                                 MotionParameter parameter) {
+  const int dimension = moved.coordinates.dimension();
+  const auto shift = static_cast<int>(parameter) - 1;  // along which axis
+  if (shift == 2 && dimension == 2)
+    throw UsageError("translate_z: a plane mesh has no third direction");
+  if (shift < 0 && !body.motion.pivot)
+    throw UsageError("the derivative by an angle needs the pivot of the body");
+  const RigidMotion motion = resolve_motion(body.motion, dimension, Vec3::Zero());
+  if (shift < 0 && dimension == 3 && !body.motion.axis)
+    throw UsageError("the derivative by an angle needs the axis of the body in space");
+  Coordinates out(dimension, moved.coordinates.size());
+  for (const Index node : moving_nodes(*moved.topology, body.markers)) {
+    const Vec3 arm = place_of(moved.coordinates, node) - pivot_of(motion) - Vec3(motion.translate);
+    set_place(out, node,
+              shift >= 0 ? Vec3(Vec3::Unit(shift))
+                         : Vec3(radians(1) * axis_of(motion).normalized().cross(arm)));
+  }
+  return out;
+}
+
+double scalar_product(const Coordinates& a, const Coordinates& b) {
+  return std::inner_product(a.values().begin(), a.values().end(), b.values().begin(), 0.0);
+}
+
+}  // namespace winslow
