@@ -275,9 +275,9 @@ SubcommandList make_subcommands(CLI::App& program) {
     auto subcommand = std::visit([&](const auto& of) { return make_for(of, program); }, command);
     if (subcommand) list.push_back(std::move(subcommand));
   }
-  for (auto* make : {make_sweep_subcommand, make_quality_subcommand, make_render_subcommand,
-                     make_convert_subcommand, make_replay_subcommand, make_studio_subcommand,
-                     make_reference_subcommand}) {
+  for (auto* make : {make_sweep_subcommand, make_sensitivity_subcommand, make_quality_subcommand,
+                     make_render_subcommand, make_convert_subcommand, make_replay_subcommand,
+                     make_studio_subcommand, make_reference_subcommand}) {
     list.push_back(make(program));
   }
   return list;

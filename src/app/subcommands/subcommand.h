@@ -32,6 +32,7 @@ using SubcommandList = std::vector<std::unique_ptr<Subcommand>>;
 SubcommandList make_subcommands(CLI::App& program);
 
 std::unique_ptr<Subcommand> make_sweep_subcommand(CLI::App& program);
+std::unique_ptr<Subcommand> make_sensitivity_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_quality_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_render_subcommand(CLI::App& program);
 std::unique_ptr<Subcommand> make_convert_subcommand(CLI::App& program);

@@ -1,8 +1,5 @@
 #include "core/sensitivity/mesh_sensitivity.h"
 
-#include <mutex>
-#include <numeric>
-
 #include "core/command/local_command.h"
 #include "core/error.h"
 #include "core/sensitivity/target_response.h"

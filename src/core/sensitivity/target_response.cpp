@@ -1,7 +1,5 @@
 #include "core/sensitivity/target_response.h"
 
-#include <map>
-
 namespace winslow {
 
 namespace {

@@ -1,7 +1,5 @@
 #include "io/tables/file_defaults.h"
 
-#include <optional>
-
 #include "core/error.h"
 #include "core/geometry/sliding_boundary.h"
 #include "core/strategy/slide_options.h"
