@@ -94,6 +94,11 @@ class Sensitivity(ProgramTest):
         self.write_field("field.csv", {0: (1, 0)})
         self.assertIn("field.csv", error("--forward", "field.csv", "-o", "field.csv"))
         self.assertNotIn("out.csv", self.files())
+        # Not all that moved is named.
+        run = self.winslow("sensitivity", "moved.su2", "--reference-mesh", "ring.su2", "--marker",
+                           "farfield", "--forward", "field.csv", "-o", "out.csv", code=USAGE)
+        self.assertIn("of body has moved, and the motion leaves it where it was",
+                      " ".join(run.stderr.split()))
         # A mesh that is not the result of a motion of the other one.
         self.ring("other.su2", around=20, rings=6)
         run = self.winslow("sensitivity", "other.su2", "--reference-mesh", "ring.su2", "--marker",

@@ -203,6 +203,11 @@ class SensitivitySubcommand : public Subcommand {
   void tell(const Prepared& prepared, const MeshSensitivity& sensitivity,
             const Coordinates& product) const {
     print_remarks(prepared.said);
+    constexpr double far = 0.01;  // of an edge
+    if (sensitivity.distance() > far)
+      print_warnings({input_ + ": a node is " + formatted("%.2g", sensitivity.distance()) +
+                      " of its edges from the solution of the motion, where the derivative is: the "
+                      "motion was not converged, or had other options"});
     const auto frozen = sensitivity.frozen();
     std::cout << "Derivative at " << printable(input_) << ": " << sensitivity.boundary().size()
               << " nodes of the boundary, " << sensitivity.solver()

@@ -68,4 +68,18 @@ CommandResult MovingMesh::to(const ResolvedCommand& asked, RunOptions options) {
   return result;
 }
 
+MovingMesh::Checkpoint MovingMesh::checkpoint() {
+  cache_.forget_matrices();
+  Checkpoint checkpoint;
+  checkpoint.last = last_;
+  checkpoint.bodies = bodies_;
+  return checkpoint;
+}
+
+void MovingMesh::restore(const Checkpoint& checkpoint) {
+  cache_.forget_matrices();
+  last_ = checkpoint.last;
+  bodies_ = checkpoint.bodies;
+}
+
 }  // namespace winslow

@@ -37,6 +37,20 @@ class MovingMesh {
 
   const MeshState& given() const { return given_; }
 
+  /// What the next result depends on besides the command.
+  class Checkpoint {
+    friend class MovingMesh;
+    std::vector<std::shared_ptr<const Coordinates>> last;
+    std::vector<MovingBody> bodies;
+  };
+  /// For implicit coupling, which repeats time steps. The calls of to() after restore() give the
+  /// results, bit for bit, that the same calls gave after checkpoint(). Solvers are prepared anew
+  /// after each of both, since iterative ones remember earlier matrices; patterns, targets and
+  /// control volumes are kept.
+  Checkpoint checkpoint();
+  /// checkpoint: of this object.
+  void restore(const Checkpoint& checkpoint);
+
  private:
   std::optional<CommandResult> from_last(const ResolvedCommand& command,
                                          const RunOptions& options) const;

@@ -21,9 +21,11 @@ class MeshSensitivity::Impl {
     prepare_solver();
     // The equations are in coordinates near the mesh.
     mesh_ = LocalFrame(state.mesh).to_mesh(equations_.solution, moved);
+    compare(topology, moved);
   }
 
   const Coordinates& mesh() const { return mesh_; }
+  double distance() const { return distance_; }
   const std::vector<Index>& boundary() const { return boundary_; }
 
   Coordinates forward(const Coordinates& given) const {
@@ -88,6 +90,29 @@ class MeshSensitivity::Impl {
                            "the derivative of such rows is not known. Expected "
                            "slide.spacing = free");
   }
+  /// Refuses a boundary that lies elsewhere in the moved mesh, and finds distance().
+  void compare(const Topology& topology, const Coordinates& moved) {
+    constexpr double round_off = 1e-6;  // of an edge
+    for (Index node = 0; node < topology.node_count(); ++node) {
+      if (!topology.used(node)) continue;
+      double edges = 0;
+      const auto neighbours = topology.neighbours(node);
+      for (const Index other : neighbours)
+        edges += (place_of(mesh_, other) - place_of(mesh_, node)).norm();
+      const double edge = edges / static_cast<double>(neighbours.size());
+      const double off = (place_of(mesh_, node) - place_of(moved, node)).norm() / edge;
+      distance_ = std::max(distance_, off);
+      if (off < round_off || equations_.classes->moves(node)) continue;
+      std::string names;
+      for (const Marker& marker : topology.markers())
+        for (const Face& face : marker.faces)
+          if (std::ranges::find(face, node) != face.end() && !names.ends_with(marker.name))
+            names += (names.empty() ? " of " : ", ") + marker.name;
+      throw UsageError("node " + std::to_string(node) + names +
+                       " has moved, and the motion leaves it where it was: expected the names of "
+                       "all markers that moved, and those of markers that slid as sliding ones");
+    }
+  }
   void require_alike(const Coordinates& given) const {
     if (given.alike(mesh_)) return;
     throw UsageError("found vectors at " + std::to_string(given.size()) + " nodes with " +
@@ -132,6 +157,7 @@ class MeshSensitivity::Impl {
   MotionEquations equations_;
   std::vector<Index> boundary_;
   Coordinates mesh_;
+  double distance_ = 0;
   std::unique_ptr<const TargetResponse> targets_;  // null: the targets do not depend on walls
   SparseMatrix hessian_;
   mutable std::mutex mutex_;  // of the solver
@@ -146,6 +172,7 @@ MeshSensitivity::MeshSensitivity(MeshSensitivity&&) noexcept = default;
 MeshSensitivity& MeshSensitivity::operator=(MeshSensitivity&&) noexcept = default;
 
 const Coordinates& MeshSensitivity::mesh() const { return impl_->mesh(); }
+double MeshSensitivity::distance() const { return impl_->distance(); }
 const std::vector<Index>& MeshSensitivity::boundary() const { return impl_->boundary(); }
 Coordinates MeshSensitivity::forward(const Coordinates& boundary) const {
   return impl_->forward(boundary);

@@ -34,8 +34,9 @@ class MeshSensitivity {
  public:
   /// state: the mesh before the motion. motion: a MoveCommand or DeformCommand. moved: the mesh
   /// that it gave (#nodes). options: threads and cancelling (monitor). Throws UsageError for other
-  /// commands, options that minimise no energy, and held layers; NumericError if no minimum is
-  /// found near `moved`; and what execute() throws.
+  /// commands, options that minimise no energy, held layers, and a boundary that lies elsewhere in
+  /// `moved` than the motion takes it; NumericError if no minimum is found near `moved`; and what
+  /// execute() throws.
   MeshSensitivity(const MeshState& state, const ResolvedCommand& motion, const Coordinates& moved,
                   const RunOptions& options = {});
   ~MeshSensitivity();
@@ -44,6 +45,9 @@ class MeshSensitivity {
 
   /// The mesh at which the derivative is: `moved`, solved to 1e-10.
   const Coordinates& mesh() const;
+  /// How far a node of mesh() is from its place in `moved` at most, as a share of the mean length
+  /// of its edges. More than about .01: the motion was not converged, or had other options.
+  double distance() const;
   /// The nodes without unknowns, ascending: B. All other nodes depend on these.
   const std::vector<Index>& boundary() const;
 
@@ -62,7 +66,7 @@ class MeshSensitivity {
     Index stuck_nodes = 0;   ///< held at folds of what they slide on
   };
   Frozen frozen() const;
-  /// The linear solver, and the relative residual of its last solve (NaN: none yet).
+  /// A description of the linear solver.
   std::string solver() const;
 
  private:

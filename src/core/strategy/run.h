@@ -51,6 +51,9 @@ class SolverCache {
 
   /// Forgets everything.
   void clear();
+  /// Forgets the linear solvers, with what iterative ones remember of earlier matrices. The next
+  /// results are then the same bits whatever calls came before.
+  void forget_matrices();
 
   /// For winslow itself: clients have no definition of the class.
   SmoothingWorkspace& workspace();

@@ -213,6 +213,13 @@ std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy_with(
   return make_form(key);
 }
 
+void SmoothingWorkspace::forget_linear_solvers() {
+  run_ = {};
+  made_.linear = {};
+  made_.symmetric_linear = {};
+  made_.newton_linear = {};
+}
+
 PicardSolver& SmoothingWorkspace::picard() {
   const ClipVariants<EquationProblem> problems = pointwise();
   const auto& linear = general_solver(made_.linear);
@@ -269,6 +276,10 @@ SolverCache::SolverCache(SolverCache&& other) noexcept = default;
 SolverCache& SolverCache::operator=(SolverCache&& other) noexcept = default;
 
 void SolverCache::clear() { workspace_.reset(); }
+
+void SolverCache::forget_matrices() {
+  if (workspace_) workspace_->forget_linear_solvers();
+}
 
 SmoothingWorkspace& SolverCache::workspace() {
   if (!workspace_) workspace_ = std::make_unique<SmoothingWorkspace>();

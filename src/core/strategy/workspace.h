@@ -113,6 +113,9 @@ class SmoothingWorkspace {
   /// mesh are meaningless. Returns whether any changed.
   bool adjust_tangled_vcvs(const Coordinates& x);
 
+  /// Makes all linear solvers anew for the next run.
+  void forget_linear_solvers();
+
   // Valid until one of their inputs changes, at most until the next prepare().
   PicardSolver& picard();
   /// With the penalty of the options.

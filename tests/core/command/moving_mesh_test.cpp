@@ -64,6 +64,29 @@ TEST_CASE("steps of a motion take fewer linear solves than the way from the mesh
   CHECK(steps < commands);
 }
 
+TEST_CASE("steps after a restored checkpoint are those after the checkpoint, bit for bit") {
+  for (const char* solver : {"direct", "multigrid"}) {
+    CAPTURE(solver);
+    const MeshState state = space_state();
+    MovingMesh moving(state);
+    const auto at = [&](double degrees) {
+      MoveCommand command = turned(state, degrees);
+      command.smooth.linear.solver = solver;
+      return moving.to(command).state.mesh.coordinates;
+    };
+    at(2);
+    at(4);
+    const MovingMesh::Checkpoint checkpoint = moving.checkpoint();
+    const Coordinates first = at(7), second = at(9);
+    for (int repeated = 0; repeated < 2; ++repeated) {
+      at(-3);
+      moving.restore(checkpoint);
+      CHECK(at(7) == first);
+      CHECK(at(9) == second);
+    }
+  }
+}
+
 TEST_CASE("a call that is cancelled or refused leaves the last mesh where the next begins") {
   const MeshState state = plane_state();
   MovingMesh moving(state), undisturbed(state);

@@ -261,6 +261,12 @@ TEST_CASE("what has no derivative is refused by name") {
   CHECK_THROWS_WITH_AS(sensitivity.forward(Coordinates(2, 3)),
                        doctest::Contains("found vectors at 3 nodes"), UsageError);
   CHECK_THROWS_AS(sensitivity.transpose(Coordinates(3, moved.size())), UsageError);
+  CHECK(sensitivity.distance() < 1e-8);
+  Coordinates elsewhere = moved;
+  const Index corner = nodes_of(plain)[0];
+  elsewhere.set_xy(corner, elsewhere.xy(corner) + Vec2(0.01, 0));
+  CHECK_THROWS_WITH_AS(MeshSensitivity(plain.state, bent(plain, 0), elsewhere),
+                       doctest::Contains("of hole has moved"), UsageError);
   CHECK(sensitivity.frozen().knee > 1);
   CHECK(sensitivity.frozen().stuck_nodes == 0);
 }
