@@ -4,7 +4,6 @@
 
 #include "core/mesh/enclosing_faces.h"
 #include "core/parallel/parallel_for.h"
-#include "core/quality/surface_distance.h"
 
 namespace winslow {
 
@@ -140,21 +139,42 @@ Ball ball_around(const SpacePoints& x, const Face& nodes) {
   return ball;
 }
 
+/// Squared distance from a triangle, by the part of it that is nearest: a corner, an edge or its
+/// plane (C. Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double a1 = ab.dot(ap), a2 = ac.dot(ap);
+  if (a1 <= 0 && a2 <= 0) return ap.squaredNorm();
+  const double b1 = ab.dot(bp), b2 = ac.dot(bp);
+  if (b1 >= 0 && b2 <= b1) return bp.squaredNorm();
+  const double c1 = ab.dot(cp), c2 = ac.dot(cp);
+  if (c2 >= 0 && c1 <= c2) return cp.squaredNorm();
+  const auto edge = [](const Vec3& from, const Vec3& along, double here, double there) -> double {
+    return here > 0 ? (from - here / (here + there) * along).squaredNorm() : from.squaredNorm();
+  };
+  if (a1 >= 0 && b1 <= 0 && a1 * b2 - b1 * a2 <= 0) return edge(ap, ab, a1, -b1);
+  if (a2 >= 0 && c2 <= 0 && c1 * a2 - a1 * c2 <= 0) return edge(ap, ac, a2, -c2);
+  if (b2 >= b1 && c1 >= c2 && b1 * c2 - c1 * b2 <= 0) return edge(bp, c - b, b2 - b1, c1 - c2);
+  const Vec3 normal = ab.cross(ac);
+  const double height = normal.dot(ap);
+  return height * height / normal.squaredNorm();
+}
+
 /// Distance from a face: of more than three nodes, from the triangles of its edges with its middle.
 double face_distance(const SpacePoints& x, const Vec3& p, const Face& nodes, const Vec3& middle) {
   const std::size_t n = nodes.size();
-  if (n == 3) return triangle_distance(p, {x[nodes[0]], x[nodes[1]], x[nodes[2]]});
+  if (n == 3) return std::sqrt(squared_distance(p, x[nodes[0]], x[nodes[1]], x[nodes[2]]));
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < n; ++k)
-    least = std::min(least, triangle_distance(p, {x[nodes[k]], x[nodes[(k + 1) % n]], middle}));
-  return least;
+    least = std::min(least, squared_distance(p, x[nodes[k]], x[nodes[(k + 1) % n]], middle));
+  return std::sqrt(least);
 }
 
 /// Measures the heights of the corners of elements at a wall.
 class CornerHeights {
  public:
   CornerHeights(const Mesh& mesh, const Wall& wall, const WallFaces& faces)
-      : topology_(*mesh.topology), x_(mesh.coordinates), wall_(wall), faces_(faces) {
+      : topology_(*mesh.topology), x_(mesh.coordinates), faces_(faces) {
     for (const SurfaceFace& face : wall.faces) balls_.push_back(ball_around(x_, face.nodes));
   }
 
@@ -180,19 +200,20 @@ class CornerHeights {
   /// the face, without those on the wall.
   std::vector<std::vector<Index>> ends_off(const Face& nodes, Index element) const {
     const auto corners = topology_.element(element);
+    std::vector<std::size_t> places;  // of the corners in the face; #nodes: not in it
+    for (const Index corner : corners) places.push_back(index_of(nodes, corner));
     std::vector<std::vector<Index>> ends(nodes.size());
-    for (const auto& [a, b] : topology_.shape(element).edges)
-      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
-        const std::size_t k = index_of(nodes, corners[at(from)]);
-        const Index end = corners[at(to)];
-        if (k == nodes.size() || index_of(nodes, end) < nodes.size() || on_wall(end)) continue;
-        ends[k].push_back(end);
-      }
+    for (const auto& edge : topology_.shape(element).edges) {
+      const bool starts = places[at(edge[0])] < nodes.size();
+      if (starts == (places[at(edge[1])] < nodes.size())) continue;  // along the face, or off it
+      const Index end = corners[at(edge[starts ? 1 : 0])];
+      if (!on_wall(end)) ends[places[at(edge[starts ? 0 : 1])]].push_back(end);
+    }
     return ends;
   }
   /// Whether a node is of one of the near faces.
   bool on_wall(Index node) const {
-    return number_on_wall(wall_, node) >= 0 && std::ranges::any_of(near_, [&](Index f) {
+    return topology_.on_boundary(node) && std::ranges::any_of(near_, [&](Index f) {
              const Face& nodes = faces_.face(f).nodes;
              return index_of(nodes, node) < nodes.size();
            });
@@ -231,7 +252,6 @@ class CornerHeights {
 
   const Topology& topology_;
   SpacePoints x_;
-  const Wall& wall_;
   const WallFaces& faces_;
   std::vector<Ball> balls_;                      // #faces
   std::vector<Index> near_;                      // faces that share a node with the present one

@@ -7,7 +7,10 @@
 
 namespace winslow {
 
-double triangle_distance(const Vec3& p, const std::array<Vec3, 3>& t) {
+namespace {
+
+/// Distance from a triangle: from its plane if the foot lies inside, else from the nearest edge.
+double distance(const Vec3& p, const std::array<Vec3, 3>& t) {
   const Vec3 area = (t[1] - t[0]).cross(t[2] - t[0]);
   const double size2 = area.squaredNorm();
   bool within = size2 > 0;
@@ -19,8 +22,6 @@ double triangle_distance(const Vec3& p, const std::array<Vec3, 3>& t) {
     least = std::min(least, segment_distance<3>(p, t[k], t[(k + 1) % 3]));
   return least;
 }
-
-namespace {
 
 /// value(i) for each i < n.
 template <typename Value>
@@ -66,7 +67,7 @@ SurfaceDistance::SurfaceDistance(const Mesh& mesh) {
 
 double SurfaceDistance::to(const Vec3& point) const {
   constexpr double near = 0.01;  // of the extent: a search within it is faster and mostly succeeds
-  const auto to_triangle = [&](Index t) { return triangle_distance(point, triangles_[at(t)]); };
+  const auto to_triangle = [&](Index t) { return distance(point, triangles_[at(t)]); };
   auto found = tree_.nearest(point, near * extent(), to_triangle);
   if (!found) found = tree_.nearest(point, std::numeric_limits<double>::infinity(), to_triangle);
   return found ? found->distance : 0;

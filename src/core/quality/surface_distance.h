@@ -5,9 +5,6 @@
 
 namespace winslow {
 
-/// Distance from a triangle: from its plane if the foot lies inside, else from the nearest edge.
-double triangle_distance(const Vec3& p, const std::array<Vec3, 3>& triangle);
-
 /// Distances of points from a surface mesh: from its triangles and the two triangles of each
 /// quadrilateral, which is cut along its shorter diagonal.
 class SurfaceDistance {
