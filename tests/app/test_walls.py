@@ -1,7 +1,10 @@
+import csv
+import itertools
 import math
+import unittest
 
 import support
-from support import INVERTED, USAGE, ProgramTest
+from support import HAS_GUI, INVERTED, USAGE, ProgramTest
 
 RING = {"around": 48, "rings": 12, "inner": 0.5, "outer": 4.0}
 GROWTH = (RING["outer"] / RING["inner"]) ** (1 / RING["rings"])
@@ -163,6 +166,108 @@ class Warnings(ProgramTest):
         self.assertNotIn("first heights", run.stderr)
         self.assertIn("wall nodes", run.stdout)
         self.assertNotIn("first height changed", run.stdout)
+
+
+# Planes of a grid in space: a cubic body from .4 to .6 with a layer of .02 around it.
+PLANES = (0, 0.2, 0.38, 0.4, 0.6, 0.62, 0.8, 1)
+LAYER = 0.02
+
+
+def write_body_with_a_layer(path):
+    """Hexahedra in [0, 1]^3 around a cube; markers body and far. Returns the places of the nodes."""
+    n = len(PLANES)
+    number = lambda i, j, k: (k * n + j) * n + i
+    nodes = [(x, y, z) for z in PLANES for y in PLANES for x in PLANES]
+    corners = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
+    sides = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (2, 3, 7, 6), (1, 2, 6, 5), (0, 4, 7, 3))
+    cells, count = [], {}
+    for place in itertools.product(range(n - 1), repeat=3):
+        if place == (3, 3, 3):
+            continue
+        cell = [number(*(p + c for p, c in zip(place, corner))) for corner in corners]
+        cells.append(cell)
+        for side in sides:
+            face = [cell[c] for c in side]
+            count.setdefault(tuple(sorted(face)), []).append(face)
+    markers = {"body": [], "far": []}
+    for faces in count.values():
+        if len(faces) == 1:
+            middle = [sum(nodes[c][axis] for c in faces[0]) / 4 for axis in range(3)]
+            markers["body" if all(0 < m < 1 for m in middle) else "far"].append(faces[0])
+    lines = ["NDIME= 3", f"NELEM= {len(cells)}"] + ["12 " + " ".join(map(str, c)) for c in cells]
+    lines += [f"NPOIN= {len(nodes)}"] + [" ".join(map(repr, p)) for p in nodes] + ["NMARK= 2"]
+    for name, faces in markers.items():
+        lines += [f"MARKER_TAG= {name}", f"MARKER_ELEMS= {len(faces)}"]
+        lines += ["9 " + " ".join(map(str, f)) for f in faces]
+    path.write_text("\n".join(lines) + "\n")
+    return nodes
+
+
+class WallsInSpace(ProgramTest):
+    MOVE = ("move", "body.su2", "-o", "out.su2", "--marker", "body", "--rotate", "10", "--axis", "0",
+            "0", "1")
+
+    def setUp(self):
+        super().setUp()
+        self.nodes = write_body_with_a_layer(self.path("body.su2"))
+
+    def test_a_body_has_its_heights_and_growth(self):
+        text = self.winslow("quality", "body.su2", "--report", "q.json", "--csv", "q.csv").stdout
+        walls = self.json("q.json")["walls"]
+        self.assertEqual(walls["nodes"], 8)
+        for value in walls["now"]["first_height"].values():
+            self.assertAlmostEqual(value, LAYER, delta=1e-12)
+        # Columns of .02, .18 and .2 over each of six faces.
+        self.assertAlmostEqual(walls["now"]["growth"]["max"], 9, delta=1e-9)
+        self.assertAlmostEqual(walls["now"]["growth"]["min"], 0.2 / 0.18, delta=1e-9)
+        self.assertAlmostEqual(walls["now"]["size_ratio"]["max"], 10 ** (1 / 3), delta=1e-9)
+        self.assertEqual([one["markers"] for one in walls["each"]], [["body"]])
+        self.assertIn("First height", text)
+        self.assertIn("8 wall nodes", text)
+        with open(self.path("q.csv"), newline="") as file:
+            row = next(csv.DictReader(file))
+        self.assertAlmostEqual(float(row["first_height_median"]), LAYER, delta=1e-12)
+        worst = self.json("q.json")["worst"]["first_height"][0]
+        self.assertEqual(len(worst["centre"]), 3)
+
+    def test_a_motion_that_keeps_heights_says_nothing_of_them(self):
+        run = self.winslow(*self.MOVE, "--report", "r.json")
+        walls = self.json("r.json")["walls"]
+        self.assertLess(walls["first_height_changed"], 0.05)
+        self.assertIn("First height / before", run.stdout)
+        self.assertNotIn("first heights", run.stderr)
+
+    def test_heights_that_change_are_said_with_figures_and_place(self):
+        run = self.winslow(*self.MOVE, "--targets", "element", "--report", "r.json")
+        walls = self.json("r.json")["walls"]
+        self.assertEqual(walls["first_height_changed"], 1)
+        worst = walls["first_height_worst"]
+        place = self.nodes[worst["node"]]
+        self.assertTrue(all(p in (0.4, 0.6) for p in place))
+        # About the middle of the body.
+        turned = support.rotated((place[0] - 0.5, place[1] - 0.5), 10)
+        for a, b in zip(worst["at"], (turned[0] + 0.5, turned[1] + 0.5, place[2])):
+            self.assertAlmostEqual(a, b, delta=1e-9)
+        self.assertIn("first heights changed by more than 5 % at 100 % of the wall nodes", run.stderr)
+        self.assertIn(f"to {worst['ratio']:.3g} times", run.stderr)
+        self.assertIn("at (" + ", ".join(f"{p:.6g}" for p in worst["at"]) + ")", run.stderr)
+        self.assertIn("--targets keep", run.stderr)
+
+    def test_a_sweep_has_a_column_of_heights(self):
+        self.winslow("sweep", "body.su2", "-o", "s_{step}.su2", "--marker", "body", "--rotate", "5,10",
+                     "--axis", "0", "0", "1", "--results", "s.csv")
+        with open(self.path("s.csv"), newline="") as file:
+            for row in csv.DictReader(file):
+                self.assertAlmostEqual(float(row["first_height_ratio_median"]), 1, delta=0.05)
+
+    @unittest.skipUnless(HAS_GUI, "built without pictures")
+    def test_pictures_are_coloured_by_heights(self):
+        self.winslow(*self.MOVE)
+        self.winslow("render", "out.su2", "-o", "p.svg", "--color", "first_height")
+        self.assertIn("First height", self.path("p.svg").read_text())
+        run = self.winslow("render", "out.su2", "-o", "p.svg", "--color", "first_height_ratio",
+                           code=USAGE)
+        self.assertIn("--before", run.stderr)
 
 
 class Limits(ProgramTest):

@@ -191,7 +191,9 @@ std::string hint_to_keep(const ZoneRun& zone, const Damage& damage) {
   });
   const bool plane = zone.source.mesh.topology->kind() == MeshKind::plane;
   std::string hint;
-  if (damage.node && plane) hint = "--hold-layers keeps heights at a wall";
+  // In space only a motion with targets keep holds heights, and only of layers.
+  const bool holds = plane || (keeps && damage.stretched && zone.result.held_walls.empty());
+  if (damage.node && holds) hint = "--hold-layers keeps heights at a wall";
   if (!keeps)
     hint += (hint.empty() ? "" : ", ") + std::string("--targets keep keeps the elements' shapes");
   if (damage.leaning_faces > 0)

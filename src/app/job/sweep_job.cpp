@@ -461,11 +461,10 @@ void warn_of_damage(const SweepJob& job, const std::vector<Row>& rows, int dimen
   std::string text = names.size() == 1 ? "step " : "steps ";
   text += listed(names, [](const std::string& name) { return name; });
   if (others > 0) text += " and " + std::to_string(others) + " more";
-  text += dimension == 3
-              ? ": the smallest scaled Jacobian fell by more than 10 %"
-              : ": the smallest sine fell by more than 10 %, or first heights changed by "
-                "more than 5 % at more than 5 % of the wall nodes or by more than 20 % "
-                "at one";
+  text += dimension == 3 ? ": the smallest scaled Jacobian fell" : ": the smallest sine fell";
+  text +=
+      " by more than 10 %, or first heights changed by more than 5 % at more than 5 % of the wall "
+      "nodes or by more than 20 % at one";
   std::cerr << "winslow: warning: " << printable(text) << '\n';
 }
 

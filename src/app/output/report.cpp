@@ -33,7 +33,7 @@ json describe_place(const Vec3& place, int dimension) {
   return components;
 }
 
-json describe_list(const std::vector<WorstElement>& worst, int dimension = 2) {
+json describe_list(const std::vector<WorstElement>& worst, int dimension) {
   json list = json::array();
   for (const WorstElement& w : worst) {
     list.push_back({{"element", w.element},
@@ -280,7 +280,7 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality, const Quality
     const auto& list = quality.worst_by(field);
     if (list.empty()) continue;
     const FieldInfo& info = wall_field_info(field);
-    worst[std::string(info.name)] = describe_list(list);
+    worst[std::string(info.name)] = describe_list(list, quality.space_dimension);
     units[std::string(info.name)] = unit_of(info);
   }
   json report{{"dimension", dimension},
@@ -294,9 +294,9 @@ json describe_mesh(const Mesh& mesh, const QualityReport& quality, const Quality
               {"quality", describe_metrics(quality)},
               {"units", units},
               {"worst", worst}};
-  if (quality.has_walls()) {
+  if (quality.has_walls())
     report["walls"] = describe_walls(before ? &before->walls : nullptr, quality.walls, mesh);
-  } else if (dimension == 3) {
+  if (dimension == 3) {
     report["all_on_boundary"] = quality.all_on_boundary;
     report["all_on_boundary_inverted"] = quality.all_on_boundary_inverted;
     if (quality.all_on_boundary > 0) report["quality_movable"] = describe_movable(quality);

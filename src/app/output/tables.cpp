@@ -113,7 +113,7 @@ void print_worst_elements(std::ostream& out, const QualityReport& quality) {
                quality.space_dimension);
   if (!quality.has_walls()) return;
   for (const WallField field : all_wall_fields())
-    print_list(out, wall_field_info(field), quality.worst_by(field), 2);
+    print_list(out, wall_field_info(field), quality.worst_by(field), quality.space_dimension);
 }
 
 void print_inverted_elements(std::ostream& out, const Mesh& mesh, const QualityReport& quality,
@@ -226,11 +226,13 @@ void describe_change(json& block, std::span<const WallMeasures> before,
                      std::span<const WallMeasures> now, const Mesh& mesh) {
   const auto change = compare_first_heights(before, now);
   if (!change || change->worst_node < 0) return;
-  const Vec2 p = mesh.coordinates.xy(change->worst_node);
+  const Vec3 p = place_of(mesh.coordinates, change->worst_node);
   block["first_height_ratio"] = describe_quantiles(change->ratio);
   block["first_height_changed"] = change->off;
+  json place{p.x(), p.y()};
+  if (mesh.coordinates.dimension() == 3) place.push_back(p.z());
   block["first_height_worst"] = {
-      {"node", change->worst_node}, {"at", {p.x(), p.y()}}, {"ratio", change->worst_ratio}};
+      {"node", change->worst_node}, {"at", place}, {"ratio", change->worst_ratio}};
 }
 
 }  // namespace

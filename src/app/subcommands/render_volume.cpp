@@ -148,7 +148,7 @@ gui::VolumePictureOptions alike_options(const RenderFlags& flags,
                                         std::span<const Mesh* const> states) {
   const Mesh &first = *states.front(), &last = *states.back();
   gui::VolumePictureOptions options = volume_options(flags, first.topology->kind());
-  if (is_surface(*first.topology)) options.given = std::make_shared<const Mesh>(first);
+  options.given = std::make_shared<const Mesh>(first);
   if (!options.cuts && !options.isolate) options.cuts = gui::cuts_of_picture(last, options);
   Box<3> all = Box<3>::empty();
   for (const Mesh* state : states) all.add(gui::volume_picture_extent(*state, options));

@@ -126,10 +126,9 @@ std::vector<ElementField> fields_of(MeshKind kind) {
   const int dimension = cell_dimension_of(kind);
   for (const Metric metric : all_metrics(dimension)) list.emplace_back(metric, dimension);
   if (kind == MeshKind::surface) append(SurfaceField{}, surface_fields.size());
-  if (kind != MeshKind::plane) return list;
-  append(NodalField{}, nodal_fields.size());
-  append(WallField{}, all_wall_fields().size());
-  append(LayerField{}, layer_fields.size());
+  if (kind == MeshKind::plane) append(NodalField{}, nodal_fields.size());
+  if (kind != MeshKind::surface) append(WallField{}, all_wall_fields().size());
+  if (kind == MeshKind::plane) append(LayerField{}, layer_fields.size());
   return list;
 }
 
@@ -163,6 +162,13 @@ std::vector<double> surface_values(const Mesh& mesh, const ElementField& field,
   if (field.surface()) return element_distances(mesh, given, threads);
   if (field.metric() && field.cell_dimension() == mesh.topology->cell_dimension())
     return element_values(mesh, *field.metric(), normals);
+  return {};
+}
+
+std::vector<double> volume_values(const Mesh& mesh, const ElementField& field,
+                                  const Coordinates* before) {
+  if (field.wall()) return element_values(mesh, *field.wall(), before);
+  if (field.metric() && field.cell_dimension() == 3) return element_values(mesh, *field.metric());
   return {};
 }
 

@@ -64,7 +64,8 @@ class ElementField {
 };
 
 /// All fields of the elements of a kind of mesh, in the order of lists on screen. Volume meshes
-/// have the metrics, surface meshes also the deviation, plane meshes all others.
+/// have the metrics and the wall fields, surface meshes the metrics and the deviation, plane meshes
+/// all but the deviation.
 const std::vector<ElementField>& all_element_fields(MeshKind kind = MeshKind::plane);
 
 const FieldInfo& field_info(const ElementField& field);
@@ -82,6 +83,12 @@ struct FieldContext {
 std::vector<double> element_values(const VirtualControlVolumes& vcv, const Coordinates& x,
                                    const ElementField& field, int threads = 0,
                                    const FieldContext& context = {});
+
+/// Value for each element of a volume mesh (#elements); empty for a field that volume meshes do not
+/// have. before: earlier coordinates of the nodes (#nodes by 3), for WallField::first_height_ratio,
+/// which has no values if it is null.
+std::vector<double> volume_values(const Mesh& mesh, const ElementField& field,
+                                  const Coordinates* before = nullptr);
 
 /// Value for each element of a surface mesh (#elements); empty for a field that surface meshes do
 /// not have. normals: reference normals, see reference_normals(). given: of the given mesh.

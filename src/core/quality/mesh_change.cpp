@@ -18,29 +18,34 @@ std::string number(const char* format, double value) {
   return text;
 }
 
-std::vector<WallMeasures> heights_only(const Mesh& mesh) {
-  std::vector<WallMeasures> walls;
-  for (Wall& wall : find_walls(mesh)) {
-    WallMeasures& of = walls.emplace_back();
+std::vector<WallMeasures> heights_only(const Mesh& mesh, std::span<const Wall> walls) {
+  std::vector<WallMeasures> measured;
+  for (const Wall& wall : walls) {
+    WallMeasures& of = measured.emplace_back();
     of.first_height = first_heights(mesh, wall);
     of.spacing = wall_spacings(mesh, wall);
-    of.wall = std::move(wall);
+    of.wall = wall;
   }
-  return walls;
+  return measured;
 }
 
 void describe_heights(const Mesh& before, const Mesh& after, Damage& damage) {
-  const auto change = compare_first_heights(heights_only(before), heights_only(after));
+  const std::vector<Wall> walls = find_walls(before);
+  const auto change =
+      compare_first_heights(heights_only(before, walls), heights_only(after, walls));
   if (!change || !spoils_walls(*change)) return;
   damage.node = change->harmed_node;
+  damage.stretched = change->off_stretched > 0;
   const double off = change->off_stretched + change->off_isotropic;
   const char* by = change->off_isotropic == 0   ? "by more than 5 %"
                    : change->off_stretched == 0 ? "by a factor of more than 1.5"
                                                 : "by more than 5 %, of isotropic cells by a "
                                                   "factor of more than 1.5,";
-  damage.text = std::string("first heights changed ") + by + " at " + number("%.3g", 100 * off) +
-                " % of the wall nodes, at worst to " + number("%.3g", change->harmed_ratio) +
-                " times what they were at " + place_text(after.coordinates.xy(change->harmed_node));
+  damage.text =
+      std::string("first heights changed ") + by + " at " + number("%.3g", 100 * off) +
+      " % of the wall nodes, at worst to " + number("%.3g", change->harmed_ratio) +
+      " times what they were at " +
+      place_text(place_of(after.coordinates, change->harmed_node), after.coordinates.dimension());
 }
 
 void describe_sine(double before, double after, const Mesh& mesh, Damage& damage) {
@@ -146,7 +151,7 @@ Damage find_damage(const Mesh& before, const Mesh& after) {
   const Validity was = check_validity(*before.topology, before.coordinates);
   const Validity is = check_validity(*after.topology, after.coordinates);
   if (was.inverted > 0 || is.inverted > 0) return damage;
-  if (before.topology->kind() == MeshKind::plane) describe_heights(before, after, damage);
+  if (!is_surface(*before.topology)) describe_heights(before, after, damage);
   describe_sine(was.min_sine, is.min_sine, after, damage);
   if (after.topology->has_polyhedra()) describe_faces(before, after, damage);
   return damage;

@@ -41,6 +41,7 @@ struct Damage {
   /// One sentence with figures and the worst places, without its full stop; empty: no damage.
   std::string text;
   std::optional<Index> node;  ///< the wall node with the largest change of the first height
+  bool stretched = false;     ///< some of the changed first heights are of stretched cells
   /// The element with the smallest sine, if that has fallen; else one at the face that leans most.
   std::optional<Index> element;
   Index leaning_faces = 0;  ///< of a mesh with polyhedra: newly_leaning_faces()

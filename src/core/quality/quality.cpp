@@ -270,10 +270,11 @@ QualityReport measure_quality(const Mesh& mesh, const QualityOptions& options) {
   };
   parallel_for(options.threads, metrics, describe, 1);
   if (!report.has_walls()) return report;
-  report.walls = measure_walls(mesh);
+  WallSurvey survey(mesh, options.threads);
+  report.walls = survey.report();
   for (const WallField field : all_wall_fields()) {
     report.worst_at_walls.push_back(
-        options.worst > 0 ? worst_elements(mesh, element_values(mesh, field, options.before),
+        options.worst > 0 ? worst_elements(mesh, survey.element_values(field, options.before),
                                            wall_field_info(field), options.worst)
                           : std::vector<WorstElement>());
   }

@@ -56,8 +56,8 @@ struct QualityOptions {
   int threads = 0;  ///< 0 for all cores
   /// For a surface mesh: reference normals (#elements); empty: the elements' own normals.
   std::vector<Vec3> normals;
-  /// Earlier coordinates of the nodes (#nodes by 2), for WallField::first_height_ratio; null: no
-  /// list for it.
+  /// Earlier coordinates of the nodes (#nodes by the dimension of the mesh), for
+  /// WallField::first_height_ratio; null: no list for it.
   const Coordinates* before = nullptr;
 };
 
@@ -79,11 +79,11 @@ struct QualityReport {
   /// are in everything above but PerMetric::movable.
   Index all_on_boundary = 0, all_on_boundary_inverted = 0;
   SurfaceFolds folds;                                     ///< of surface meshes
-  WallReport walls;                                       ///< of plane meshes
+  WallReport walls;                                       ///< of plane and volume meshes
   std::vector<std::vector<WorstElement>> worst_at_walls;  ///< of all_wall_fields(), in their order
 
-  /// Plane meshes have walls.
-  bool has_walls() const { return space_dimension == 2; }
+  /// Plane and volume meshes have walls, surface meshes have none.
+  bool has_walls() const { return cell_dimension == space_dimension; }
   /// Throws UsageError for a metric that is not reported.
   const PerMetric& of(Metric metric) const&;
   PerMetric of(Metric metric) &&;  ///< a copy, since the report is a temporary

@@ -2,6 +2,7 @@
 
 #include <unordered_map>
 
+#include "core/quality/space_walls.h"
 #include "core/search/box_tree.h"
 
 namespace winslow {
@@ -10,10 +11,13 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+bool in_space(const Mesh& mesh) { return mesh.topology->kind() == MeshKind::volume; }
+
 }  // namespace
 
 std::vector<Wall> find_walls(const Mesh& mesh) {
   const Topology& topology = *mesh.topology;
+  if (in_space(mesh)) return find_space_walls(mesh);
   require_plane(topology, "walls");
   std::vector<Wall> walls;
   std::unordered_map<Index, std::size_t> wall_of_node;
@@ -80,6 +84,23 @@ double larger(double a, double b) { return std::max(a, b); }
 double mean(double a, double b) { return 0.5 * (a + b); }
 double further_from_one(double a, double b) {
   return std::abs(std::log(a)) >= std::abs(std::log(b)) ? a : b;
+}
+
+/// Combines the values at the nodes of an edge or face; without values NaN.
+using NodeChoice = double (*)(std::span<const double>);
+
+double largest_of(std::span<const double> values) {
+  return values.empty() ? none : *std::ranges::max_element(values);
+}
+double mean_of_values(std::span<const double> values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return values.empty() ? none : sum / static_cast<double>(values.size());
+}
+double furthest_from_one(std::span<const double> values) {
+  double furthest = none;
+  for (const double value : values) furthest = chosen(furthest, value, further_from_one);
+  return furthest;
 }
 
 /// Edge k of a wall, from node k to the next one, with the nodes of the wall before and after it.
@@ -176,6 +197,7 @@ double larger_over_smaller(double a, double b) { return std::max(a, b) / std::mi
 }  // namespace
 
 std::vector<double> first_heights(const Mesh& mesh, const Wall& wall) {
+  if (in_space(mesh)) return space_first_heights(mesh, wall);
   const PlanePoints x(mesh.coordinates);
   const std::size_t n = wall.nodes.size();
   std::vector<double> heights(n, none);
@@ -191,6 +213,7 @@ std::vector<double> first_heights(const Mesh& mesh, const Wall& wall) {
 }
 
 std::vector<double> wall_spacings(const Mesh& mesh, const Wall& wall) {
+  if (in_space(mesh)) return space_wall_spacings(mesh, wall);
   const std::size_t n = wall.nodes.size();
   const auto place = [&](std::size_t k) { return mesh.coordinates.xy(wall.nodes[k % n]); };
   std::vector<double> spacings;
@@ -201,6 +224,7 @@ std::vector<double> wall_spacings(const Mesh& mesh, const Wall& wall) {
 }
 
 std::vector<double> first_edge_tilts(const Mesh& mesh, const Wall& wall) {
+  if (in_space(mesh)) return space_first_edge_tilts(mesh, wall);
   const PlanePoints x(mesh.coordinates);
   const std::size_t n = wall.nodes.size();
   std::vector<double> tilts(n);
@@ -216,6 +240,7 @@ std::vector<double> first_edge_tilts(const Mesh& mesh, const Wall& wall) {
 }
 
 std::vector<NeighbourRatio> column_growth(const Mesh& mesh, const Wall& wall) {
+  if (in_space(mesh)) return space_column_growth(mesh, wall, faces_of_elements(*mesh.topology));
   const PlanePoints x(mesh.coordinates);
   std::vector<NeighbourRatio> ratios;
   for (std::size_t k = 0; k < wall.nodes.size(); ++k) {
@@ -231,7 +256,8 @@ std::vector<NeighbourRatio> column_growth(const Mesh& mesh, const Wall& wall) {
   return ratios;
 }
 
-std::vector<NeighbourRatio> size_ratios(const Mesh& mesh) {
+std::vector<NeighbourRatio> size_ratios(const Mesh& mesh, int threads) {
+  if (in_space(mesh)) return space_size_ratios(mesh, threads);
   const Topology& topology = *mesh.topology;
   require_plane(topology, "sizes of elements");
   std::vector<double> areas(at(topology.element_count()));
@@ -260,30 +286,7 @@ Index WallReport::node_count() const {
   return static_cast<Index>(count);
 }
 
-WallReport measure_walls(const Mesh& mesh) {
-  WallReport report;
-  std::vector<double> heights, tilts, growths;
-  const auto append = [](std::vector<double>& all, const std::vector<double>& more) {
-    all.insert(all.end(), more.begin(), more.end());
-  };
-  for (Wall& wall : find_walls(mesh)) {
-    WallMeasures& of = report.walls.emplace_back();
-    of.first_height = first_heights(mesh, wall);
-    of.tilt = first_edge_tilts(mesh, wall);
-    of.spacing = wall_spacings(mesh, wall);
-    const std::vector<double> growth = values_of(column_growth(mesh, wall));
-    of.growth = quantiles_of(growth);
-    of.wall = std::move(wall);
-    append(heights, of.first_height);
-    append(tilts, of.tilt);
-    append(growths, growth);
-  }
-  report.first_height = quantiles_of(std::move(heights));
-  report.tilt = quantiles_of(std::move(tilts));
-  report.growth = quantiles_of(std::move(growths));
-  report.size_ratio = quantiles_of(values_of(size_ratios(mesh)));
-  return report;
-}
+WallReport measure_walls(const Mesh& mesh) { return WallSurvey(mesh).report(); }
 
 namespace {
 
@@ -302,11 +305,13 @@ constexpr std::array infos{
               Better::smaller, ColorRange::from_zero, 20, {.unit = "degrees"}),
     FieldInfo("growth", "Growth off the wall",
               "Ratio of the heights of consecutive cells in the columns of quadrilaterals on a "
-              "wall, the larger over the smaller; the larger of a cell's two.",
+              "wall, in space of prisms and hexahedra, the larger over the smaller; the larger of "
+              "a cell's two.",
               Better::smaller, ColorRange::from_one, 1.3, {.judged = false}),
     FieldInfo("size_ratio", "Size ratio",
-              "Square root of the ratio of the areas of an element and a neighbour, the larger "
-              "over the smaller; the largest of its neighbours'.",
+              "Square root of the ratio of the areas of an element and a neighbour, in space cube "
+              "root of that of the volumes, the larger over the smaller; the largest of its "
+              "neighbours'.",
               Better::smaller, ColorRange::from_one, 2),
 };
 
@@ -314,51 +319,63 @@ std::vector<double> empty_values(const Mesh& mesh) {
   return std::vector<double>(at(mesh.topology->element_count()), none);
 }
 
-std::vector<double> largest(const Mesh& mesh, std::span<const NeighbourRatio> ratios) {
-  std::vector<double> values = empty_values(mesh);
+void add_largest(std::span<const NeighbourRatio> ratios, std::vector<double>& values) {
   for (const NeighbourRatio& ratio : ratios)
     for (const Index e : ratio.elements) values[at(e)] = chosen(values[at(e)], ratio.value, larger);
-  return values;
 }
 
-/// How to combine the values at the two ends of a wall edge, and those of several wall edges of one
-/// element.
+/// Calls visit(element, numbers) for each edge or face of a wall, with the numbers of its nodes on
+/// the wall.
+template <typename Visit>
+void for_elements_at(const Mesh& mesh, const Wall& wall, const Visit& visit) {
+  if (in_space(mesh)) {
+    std::vector<std::size_t> numbers;
+    for (const SurfaceFace& face : wall.faces) {
+      numbers.clear();
+      for (const Index node : face.nodes) numbers.push_back(at(number_on_wall(wall, node)));
+      visit(face.element, numbers);
+    }
+    return;
+  }
+  const std::size_t n = wall.nodes.size();
+  for (std::size_t i = 0; i < n; ++i)
+    visit(element_at(*mesh.topology, WallEdge(wall, i)), std::array{i, (i + 1) % n});
+}
+
+/// How to combine the values at the nodes of a wall edge or face, and those of several of these of
+/// one element.
 struct Choices {
-  Choice of_ends, of_edges;
+  NodeChoice of_nodes;
+  Choice of_faces;
 };
 
-/// Values of elements with an edge on a wall. at_nodes(wall): values of its nodes.
-template <typename AtNodes>
-std::vector<double> over_walls(const Mesh& mesh, const AtNodes& at_nodes, const Choices& choices) {
+/// Values of elements with an edge or a face on a wall. at_nodes: values of its nodes, by wall.
+std::vector<double> over_walls(const Mesh& mesh, std::span<const Wall> walls,
+                               std::span<const std::vector<double>> at_nodes,
+                               const Choices& choices) {
   std::vector<double> values = empty_values(mesh);
-  for (const Wall& wall : find_walls(mesh)) {
-    const std::vector<double> list = at_nodes(wall);
-    for (std::size_t i = 0; i < wall.nodes.size(); ++i) {
-      const std::size_t j = (i + 1) % wall.nodes.size();
-      double& value = values[at(element_at(*mesh.topology, WallEdge(wall, i)))];
-      value = chosen(value, chosen(list[i], list[j], choices.of_ends), choices.of_edges);
-    }
-  }
+  std::vector<double> list;
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    for_elements_at(mesh, walls[w], [&](Index element, std::span<const std::size_t> numbers) {
+      list.clear();
+      for (const std::size_t i : numbers)
+        if (!std::isnan(at_nodes[w][i])) list.push_back(at_nodes[w][i]);
+      double& value = values[at(element)];
+      value = chosen(value, choices.of_nodes(list), choices.of_faces);
+    });
   return values;
 }
 
-std::vector<double> height_ratios(const Mesh& mesh, const Wall& wall, const Coordinates& before) {
-  std::vector<double> ratios = first_heights(mesh, wall);
-  const std::vector<double> were = first_heights(Mesh{mesh.topology, before}, wall);
-  for (std::size_t i = 0; i < ratios.size(); ++i) {
-    ratios[i] /= were[i];
-    if (!(ratios[i] > 0) || !std::isfinite(ratios[i])) ratios[i] = none;
-  }
-  return ratios;
+/// of(wall) for each wall.
+template <typename Of>
+auto for_each_wall(std::span<const Wall> walls, const Of& of) {
+  std::vector<decltype(of(walls[0]))> lists;
+  for (const Wall& wall : walls) lists.push_back(of(wall));
+  return lists;
 }
 
-std::vector<double> growths(const Mesh& mesh) {
-  std::vector<NeighbourRatio> all;
-  for (const Wall& wall : find_walls(mesh)) {
-    const auto of_wall = column_growth(mesh, wall);
-    all.insert(all.end(), of_wall.begin(), of_wall.end());
-  }
-  return largest(mesh, all);
+void append(std::vector<double>& all, const std::vector<double>& more) {
+  all.insert(all.end(), more.begin(), more.end());
 }
 
 }  // namespace
@@ -375,24 +392,94 @@ const std::vector<WallField>& all_wall_fields() {
 const FieldInfo& wall_field_info(WallField field) { return infos[static_cast<std::size_t>(field)]; }
 
 std::vector<double> element_values(const Mesh& mesh, WallField field, const Coordinates* before) {
-  require_plane(*mesh.topology, "cells at walls");
+  return WallSurvey(mesh).element_values(field, before);
+}
+
+WallSurvey::WallSurvey(const Mesh& mesh, int threads)
+    : mesh_(mesh), threads_(threads), walls_(find_walls(mesh)) {}
+
+const WallSurvey::Lists& WallSurvey::heights() {
+  if (!heights_)
+    heights_ = for_each_wall(walls_, [&](const Wall& wall) { return first_heights(mesh_, wall); });
+  return *heights_;
+}
+
+const WallSurvey::Lists& WallSurvey::tilts() {
+  if (!tilts_)
+    tilts_ = for_each_wall(walls_, [&](const Wall& wall) { return first_edge_tilts(mesh_, wall); });
+  return *tilts_;
+}
+
+const std::vector<std::vector<NeighbourRatio>>& WallSurvey::growths() {
+  if (growths_) return *growths_;
+  const bool space = in_space(mesh_) && !walls_.empty();
+  const CompressedRows faces = space ? faces_of_elements(*mesh_.topology) : CompressedRows();
+  growths_ = for_each_wall(walls_, [&](const Wall& wall) {
+    return space ? space_column_growth(mesh_, wall, faces) : column_growth(mesh_, wall);
+  });
+  return *growths_;
+}
+
+const std::vector<NeighbourRatio>& WallSurvey::sizes() {
+  if (!sizes_) sizes_ = size_ratios(mesh_, threads_);
+  return *sizes_;
+}
+
+WallSurvey::Lists WallSurvey::height_ratios(const Coordinates& before) {
+  Lists ratios = heights();
+  const Mesh earlier{mesh_.topology, before};
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const std::vector<double> were = first_heights(earlier, walls_[w]);
+    for (std::size_t i = 0; i < were.size(); ++i) {
+      double& ratio = ratios[w][i];
+      ratio /= were[i];
+      if (!(ratio > 0) || !std::isfinite(ratio)) ratio = none;
+    }
+  }
+  return ratios;
+}
+
+WallReport WallSurvey::report() {
+  WallReport report;
+  std::vector<double> all_heights, all_tilts, all_growths;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    WallMeasures& of = report.walls.emplace_back();
+    of.wall = walls_[w];
+    of.first_height = heights()[w];
+    of.tilt = tilts()[w];
+    of.spacing = wall_spacings(mesh_, walls_[w]);
+    const std::vector<double> growth = values_of(growths()[w]);
+    of.growth = quantiles_of(growth);
+    append(all_heights, of.first_height);
+    append(all_tilts, of.tilt);
+    append(all_growths, growth);
+  }
+  report.first_height = quantiles_of(std::move(all_heights));
+  report.tilt = quantiles_of(std::move(all_tilts));
+  report.growth = quantiles_of(std::move(all_growths));
+  report.size_ratio = quantiles_of(values_of(sizes()));
+  return report;
+}
+
+std::vector<double> WallSurvey::element_values(WallField field, const Coordinates* before) {
+  std::vector<double> values = empty_values(mesh_);
   switch (field) {
     case WallField::first_height:
-      return over_walls(mesh, [&](const Wall& wall) { return first_heights(mesh, wall); },
-                        {mean, larger});
+      return over_walls(mesh_, walls_, heights(), {mean_of_values, larger});
     case WallField::first_height_ratio:
-      if (!before || before->size() != mesh.coordinates.size()) return empty_values(mesh);
-      return over_walls(mesh, [&](const Wall& wall) { return height_ratios(mesh, wall, *before); },
-                        {further_from_one, further_from_one});
+      if (!before || before->size() != mesh_.coordinates.size()) return values;
+      return over_walls(mesh_, walls_, height_ratios(*before),
+                        {furthest_from_one, further_from_one});
     case WallField::first_edge_tilt:
-      return over_walls(mesh, [&](const Wall& wall) { return first_edge_tilts(mesh, wall); },
-                        {larger, larger});
+      return over_walls(mesh_, walls_, tilts(), {largest_of, larger});
     case WallField::growth:
-      return growths(mesh);
+      for (const auto& of_wall : growths()) add_largest(of_wall, values);
+      return values;
     case WallField::size_ratio:
-      return largest(mesh, size_ratios(mesh));
+      add_largest(sizes(), values);
+      return values;
   }
-  return empty_values(mesh);
+  return values;
 }
 
 }  // namespace winslow

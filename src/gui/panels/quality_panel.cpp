@@ -243,12 +243,13 @@ constexpr std::array wall_rows{
              &WallReport::tilt, upper_end, Better::smaller},
     WallRows{
         "Growth off the wall",
-        "Ratio of the heights of consecutive cells in the columns of quadrilaterals on a wall, "
-        "the larger over the smaller.",
+        "Ratio of the heights of consecutive cells in the columns of quadrilaterals on a wall, in "
+        "space of prisms and hexahedra, the larger over the smaller.",
         &WallReport::growth, upper_end, Better::neither},
     WallRows{"Size ratio",
-             "Square root of the ratio of the areas of two elements that share an edge, the larger "
-             "over the smaller; of the whole mesh.",
+             "Square root of the ratio of the areas of two elements that share an edge, in space "
+             "cube root of that of the volumes of two that share a face, the larger over the "
+             "smaller; of the whole mesh.",
              &WallReport::size_ratio, upper_end, Better::neither}};
 
 void add_wall_rows(const WallReport* before, const WallReport& now, const WallRows& what,

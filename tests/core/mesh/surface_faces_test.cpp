@@ -1,5 +1,5 @@
 #include "core/mesh/surface_faces.h"
-#include "core/inspect/space/surface_measures.h"
+#include "core/mesh/enclosing_faces.h"
 
 #include <doctest/doctest.h>
 

@@ -61,10 +61,7 @@ std::shared_ptr<const QualityMonitor::Measured> measure(std::uint64_t shape,
   else if (kind == MeshKind::surface && wish.field && wish.field->metric())
     measured->values = element_values(mesh, *wish.field->metric(), normals);
   else if (wish.field && kind == MeshKind::volume)
-    // Fields for plane meshes only have no values here.
-    measured->values = wish.field->metric() && wish.field->cell_dimension() == 3
-                           ? element_values(mesh, *wish.field->metric())
-                           : std::vector<double>();
+    measured->values = volume_values(mesh, *wish.field, wish.before);
   else if (wish.field && kind == MeshKind::plane)
     measured->values = element_values(*subject.vcv, mesh.coordinates, *wish.field, 1,
                                       {.layers = subject.layers.get(), .before = wish.before});
@@ -86,9 +83,8 @@ void QualityMonitor::request(std::uint64_t shape, const Subject& subject, const 
                              bool live) {
   if (!wants(shape, wish, live)) return;
   last_start_ = std::chrono::steady_clock::now();
-  // A copy: the history may drop that state before the measurement has begun. Volume meshes, the
-  // largest ones, have no first heights to compare.
-  const bool compared = wish.before && subject.mesh->topology->cell_dimension() == 2;
+  // A copy: the history may drop that state before the measurement has begun.
+  const bool compared = wish.before && !is_surface(*subject.mesh->topology);
   auto before = compared ? std::make_shared<const Coordinates>(*wish.before) : nullptr;
   // While a solver runs, use only one core; otherwise the colours wait for the measurement.
   Order order{wish, wish.before_numbers(), live, live ? 1 : 0};

@@ -28,23 +28,27 @@ std::vector<Vec3> normals_of(const Mesh& mesh, const std::shared_ptr<const Mesh>
   return shape ? shape->normals->of_elements(mesh.coordinates, 0) : std::vector<Vec3>();
 }
 
-/// Values of a field per element. given, normals: see normals_of().
+/// Values of a field per element. given: as in the options; normals: see normals_of().
 std::vector<double> values_of(const Mesh& mesh, const ElementField& field,
                               const std::shared_ptr<const Mesh>& given,
                               std::span<const Vec3> normals) {
-  if (!is_surface(*mesh.topology)) return element_values(mesh, *field.metric());
+  if (!is_surface(*mesh.topology))
+    return volume_values(mesh, field, given ? &given->coordinates : nullptr);
   return surface_values(mesh, field, normals, SurfaceDistance(given ? *given : mesh));
 }
 
-/// Per element 1 if the value is worse than the threshold, or not a number.
+/// Per element 1 if the value is worse than the threshold, or not a number. Elements that are not
+/// at walls have no values of the fields for these, and are not worse.
 std::vector<unsigned char> worse_than(double threshold, const ElementField& field,
                                       std::span<const double> values) {
   const bool larger = field_info(field).larger_is_better;
   std::vector<unsigned char> chosen;
   chosen.reserve(values.size());
   // A NaN fails either comparison, and so counts as worse.
-  for (const double v : values)
-    chosen.push_back((larger ? v >= threshold : v <= threshold) ? 0 : 1);
+  for (const double v : values) {
+    const bool apart = field.wall() && std::isnan(v);
+    chosen.push_back(apart || (larger ? v >= threshold : v <= threshold) ? 0 : 1);
+  }
   return chosen;
 }
 

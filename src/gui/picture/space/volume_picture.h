@@ -18,8 +18,9 @@ struct VolumePictureOptions {
   /// Colour elements by this; none: plain. A field of the mesh's kind: has to be set for a surface
   /// mesh.
   std::optional<ElementField> color = ElementField(Metric::normalized_jacobian, 3);
-  /// The surface mesh as it was given: the reference for deviations and for the side to which
-  /// elements face; null: the mesh itself.
+  /// The mesh as it was given. Of a surface mesh it is the reference for deviations and for the
+  /// side to which elements face; null: the mesh itself. Of a volume mesh it is the earlier one for
+  /// WallField::first_height_ratio; null: that field has no values.
   std::shared_ptr<const Mesh> given;
   ColorChoice colors;  ///< of what is coloured; on_dark follows dark
 

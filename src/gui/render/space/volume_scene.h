@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/inspect/space/plane_section.h"
-#include "core/inspect/space/surface_measures.h"
+#include "core/mesh/enclosing_faces.h"
 #include "core/mesh/mesh.h"
 #include "core/mesh/surface_faces.h"
 #include "gui/render/space/space_scene.h"

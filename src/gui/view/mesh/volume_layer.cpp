@@ -99,8 +99,12 @@ std::shared_ptr<const Painted> paint(const VolumeWish& wish, bool any_inverted) 
     if (any_inverted && wish.mark_inverted) painted->legend->inverted = Rgb{red[0], red[1], red[2]};
   }
   if (!wish.isolation.on) return painted;
-  for (const double v : values)
-    painted->isolated.push_back(isolated(v, wish.isolation) || !std::isfinite(v) ? 1 : 0);
+  // Elements that are not at walls have no values of the fields for these.
+  const bool some = field.wall() != nullptr;
+  for (const double v : values) {
+    const bool counts = !std::isfinite(v) && !(some && std::isnan(v));
+    painted->isolated.push_back(isolated(v, wish.isolation) || counts ? 1 : 0);
+  }
   return painted;
 }
 

@@ -322,7 +322,7 @@ std::vector<ElementField> rankings(MeshKind kind) {
   const int dimension = cell_dimension_of(kind);
   std::vector<ElementField> fields;
   for (const Metric metric : reported_metrics(dimension)) fields.emplace_back(metric, dimension);
-  if (kind == MeshKind::plane)
+  if (kind != MeshKind::surface)
     fields.insert(fields.end(), all_wall_fields().begin(), all_wall_fields().end());
   if (kind == MeshKind::surface) fields.emplace_back(SurfaceField::deviation);
   return fields;
