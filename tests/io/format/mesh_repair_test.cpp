@@ -206,7 +206,7 @@ TEST_CASE("repair: polyhedra whose points lie twice in one place are joined") {
        {as_polyhedra(cube(4, Volumes::hexahedra)), split_box_with_body(6)}) {
     MeshData data = halves_apart(whole);
     REQUIRE(data.node_count() > whole.node_count());
-    REQUIRE(make_mesh(data).topology->face_count() > make_mesh(whole).topology->face_count());
+    REQUIRE(Topology::build(data)->face_count() > Topology::build(whole)->face_count());
     const std::vector<std::string> said = repaired(data);
     CHECK(any_contains(said, "lie where earlier ones do: they are one now"));
     check_same_cells(make_mesh(data), make_mesh(whole));
