@@ -57,11 +57,11 @@ class SectionIndex {
 /// The section of a plane through the elements of a volume mesh: polygons that tile the section
 /// without gaps.
 ///
-/// A corner of a polygon is the intersection of the plane with an edge of the mesh, or the foot of a
-/// node that counts as on the plane. A side lies in
-/// a face of the element, and the element beyond that face has the same side. A quadrilateral face
-/// with its corners alternately in front and behind has two sides: the sign of the bilinear
-/// distance at its saddle point decides which two, and it is the same for both elements.
+/// A corner of a polygon is the intersection of the plane with an edge of the mesh, or the foot of
+/// a node that counts as on the plane. A side lies in a face of the element, and the element beyond
+/// that face has the same side. A quadrilateral face with its corners alternately in front and
+/// behind has two sides: the sign of the bilinear distance at its saddle point decides which two,
+/// and it is the same for both elements.
 struct PlaneSection {
   std::vector<Vec3> points;     ///< each once
   CompressedRows polygons;      ///< indices into points, counter-clockwise seen from the front of
