@@ -202,16 +202,25 @@ struct Triangles {
   std::vector<std::array<Index, 3>> all;   ///< numbers of nodes
   std::vector<std::vector<Index>> around;  ///< of a node: triangles
 
-  explicit Triangles(std::span<const Face> faces) {
+  Triangles(std::span<const Face> faces, const Coordinates& x) {
     for (const Face& face : faces) nodes.insert(nodes.end(), face.begin(), face.end());
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     around.resize(nodes.size());
     for (const Face& face : faces) {
       const std::size_t n = face.size();
-      // The halves of a quadrilateral for both diagonals.
-      for (std::size_t k = 0; k < (n == 4 ? 4 : n == 3 ? 1 : 0); ++k)
-        add({face[k], face[(k + 1) % n], face[(k + 2) % n]});
+      if (n > most_in_all_cuts) {
+        std::vector<Vec3> places;
+        for (const Index node : face) places.push_back(x.xyz(node));
+        for (const auto& [a, b, c] : cut_face(places)) add({face[at(a)], face[at(b)], face[at(c)]});
+        continue;
+      }
+      // The triangles about every corner: the halves of a quadrilateral for both diagonals.
+      for (std::size_t k = 0; k < (n == 3 ? 1 : n); ++k)
+        for (std::size_t step = 1; step + 1 < n; ++step) {
+          if (n == 4 && step == 2) continue;  // of the corner before
+          add({face[k], face[(k + step) % n], face[(k + step + 1) % n]});
+        }
     }
   }
   std::optional<Index> number(Index node) const {
@@ -221,6 +230,8 @@ struct Triangles {
   }
 
  private:
+  static constexpr std::size_t most_in_all_cuts = 12;  // their number grows with the square
+
   void add(const std::array<Index, 3>& corners) {
     std::array<Index, 3> numbers{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -290,7 +301,7 @@ class Marching {
 
 FadedPatch faded_patch(std::span<const Face> faces, const Coordinates& x,
                        std::span<const Index> held, double radius) {
-  const Triangles triangles(faces);
+  const Triangles triangles(faces, x);
   const std::vector<double> distance = Marching(triangles, x).run(held, radius);
   FadedPatch patch;
   for (std::size_t k = 0; k < distance.size(); ++k) {

@@ -75,8 +75,9 @@ struct FadedPatch {
 /// Distances are measured along the surface, so the opposite side of a thin body is as far away as
 /// the path around its edge. They are computed by fast marching over the triangles (R. Kimmel and
 /// J. A. Sethian, PNAS 95, 1998), each unfolded into the plane; a quadrilateral has four corner
-/// triangles. faces: of the surface. held: nodes off the surface are left out. radius >= 0, in
-/// units of the mesh. Nodes without a share are left out.
+/// triangles, and a face with more corners those about each of them. faces: of the surface. held:
+/// nodes off the surface are left out. radius >= 0, in units of the mesh. Nodes without a share are
+/// left out.
 FadedPatch faded_patch(std::span<const Face> faces, const Coordinates& x,
                        std::span<const Index> held, double radius);
 

@@ -193,8 +193,8 @@ Triangulation triangulated(const SpacePoints& x, std::span<const SurfaceFace> fa
   for (const Index node : nodes) surface.points.push_back(x[node]);
   for (const Index f : chosen) {
     const Face& face = faces[at(f)].nodes;
-    const auto corner = [&](std::size_t k) {
-      return static_cast<Index>(std::ranges::lower_bound(nodes, face[k]) - nodes.begin());
+    const auto corner = [&](Index k) {
+      return static_cast<Index>(std::ranges::lower_bound(nodes, face[at(k)]) - nodes.begin());
     };
     for (const auto& [a, b, c] : triangles_of(x, std::span(face.begin(), face.end())))
       surface.triangles.push_back({corner(a), corner(b), corner(c)});

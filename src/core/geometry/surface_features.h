@@ -67,7 +67,7 @@ std::vector<std::vector<Index>> connected_faces(std::size_t face_count, const Su
 std::vector<Index> nodes_of_faces(std::span<const SurfaceFace> faces,
                                   std::span<const Index> chosen);
 
-/// Triangles of some faces; quadrilaterals are cut along their shorter diagonal. nodes: of the
+/// Triangles of some faces, which are cut as by triangles_of(). nodes: of the
 /// faces, ascending; the points of the triangles are in this order.
 Triangulation triangulated(const SpacePoints& x, std::span<const SurfaceFace> faces,
                            std::span<const Index> chosen, std::span<const Index> nodes);

@@ -1,6 +1,8 @@
 #include "core/mesh/polygon.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -228,6 +230,66 @@ class Cutting {
 
 std::vector<std::array<Index, 3>> cut_polygon(std::span<const Vec2> places) {
   return Cutting(places).run();
+}
+
+namespace {
+
+/// Cuts a polygon so that the worst triangle is as good as can be, by area over the square of the
+/// longest side: the best cuts of the parts beyond the sides of a triangle are combined. (Dynamic
+/// programming; G. T. Klincsek, Ann. Discrete Math. 9, 1980.) Ears cut one by one may leave corners
+/// in a line to the last triangle. Triangles that are all positive overlap nowhere, since their
+/// areas add up to that of the polygon.
+std::vector<std::array<Index, 3>> best_cut(std::span<const Vec2> p) {
+  const std::size_t n = p.size();
+  std::vector<double> worst(n * n, std::numeric_limits<double>::infinity());
+  std::vector<std::size_t> apex(n * n, 0);
+  const auto worth = [&](std::size_t a, std::size_t b, std::size_t c) {
+    const double longest = std::max(
+        {(p[b] - p[a]).squaredNorm(), (p[c] - p[b]).squaredNorm(), (p[a] - p[c]).squaredNorm()});
+    return longest > 0 ? cross(p[b] - p[a], p[c] - p[a]) / longest : 0;
+  };
+  for (std::size_t span = 2; span < n; ++span)
+    for (std::size_t a = 0; a + span < n; ++a) {
+      const std::size_t c = a + span;
+      worst[a * n + c] = -std::numeric_limits<double>::infinity();
+      for (std::size_t b = a + 1; b < c; ++b) {
+        const double value = std::min({worth(a, b, c), worst[a * n + b], worst[b * n + c]});
+        if (value <= worst[a * n + c]) continue;
+        worst[a * n + c] = value;
+        apex[a * n + c] = b;
+      }
+    }
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<std::array<std::size_t, 2>> sides{{0, n - 1}};
+  while (!sides.empty()) {
+    const auto [a, c] = sides.back();
+    sides.pop_back();
+    if (c < a + 2) continue;
+    const std::size_t b = apex[a * n + c];
+    triangles.push_back({static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c)});
+    sides.push_back({a, b});
+    sides.push_back({b, c});
+  }
+  return triangles;
+}
+
+}  // namespace
+
+std::vector<std::array<Index, 3>> cut_face(std::span<const Vec3> places) {
+  Vec3 normal(0, 0, 0);
+  for (std::size_t k = 1; k + 1 < places.size(); ++k)
+    normal += (places[k] - places[0]).cross(places[k + 1] - places[0]);
+  if (!(normal.norm() > 0)) {
+    std::vector<std::array<Index, 3>> fan;
+    for (Index k = 1; at(k + 1) < places.size(); ++k) fan.push_back({0, k, k + 1});
+    return fan;
+  }
+  const Vec3 first = normal.unitOrthogonal(), second = normal.normalized().cross(first);
+  std::vector<Vec2> seen;
+  for (const Vec3& p : places)
+    seen.emplace_back(first.dot(p - places[0]), second.dot(p - places[0]));
+  constexpr std::size_t most = 40;  // corners; the effort grows with the cube
+  return seen.size() > most ? cut_polygon(seen) : best_cut(seen);
 }
 
 std::vector<Vec2> places_of(const Coordinates& x, std::span<const Index> corners) {

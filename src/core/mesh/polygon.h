@@ -79,6 +79,10 @@ bool is_simple(std::span<const Vec2> places);
 /// (Ear clipping, the best ear first: G. H. Meisters, Amer. Math. Monthly 82, 1975.)
 std::vector<std::array<Index, 3>> cut_polygon(std::span<const Vec2> places);
 
+/// The same of a face in space, as it is seen along its normal. A face without area is cut by the
+/// diagonals from its first corner.
+std::vector<std::array<Index, 3>> cut_face(std::span<const Vec3> places);
+
 /// The places of the corners of a plane element.
 std::vector<Vec2> places_of(const Coordinates& x, std::span<const Index> corners);
 

@@ -27,7 +27,7 @@ class ContactSearch {
       : topology_(topology),
         rest_(rest),
         motion_(motion),
-        outline_(topology, motion.nodes(), yielding),
+        outline_(topology, rest, motion.nodes(), yielding),
         fixed_(tree_of(outline_.fixed.facets, rest)),
         rigid_(keeps_distances()),
         body_(bodies_of_facets()) {}
@@ -414,7 +414,7 @@ std::string describe_passage(const EdgePair& edges) {
 template <int D>
 std::optional<Gap> gap_of(const Topology& topology, const Coordinates& x,
                           std::span<const Index> moving, std::span<const Index> yielding) {
-  const Outline<D> outline(topology, moving, yielding);
+  const Outline<D> outline(topology, x, moving, yielding);
   const BoxTree<D> fixed = tree_of(outline.fixed.facets, x);
   const auto name = [&](Index m) { return Outline<D>::marker_name(topology, m); };
   std::optional<Gap> gap;

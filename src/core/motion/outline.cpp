@@ -191,15 +191,27 @@ double distance(const Facet<3>& s, const Facet<3>& t) {
 
 namespace {
 
-/// The facets of a face.
+/// The facets of a face. A facet without area, as two edges in a line have, would touch whatever is
+/// near: a face with a flat corner is cut elsewhere.
 template <int D>
-std::vector<FacetNodes<D>> facets_of(const Face& face) {
+std::vector<FacetNodes<D>> facets_of(const Face& face, const Coordinates& x) {
   if constexpr (D == 2) {
     return {face.edge()};
   } else {
+    if (face.size() == 3) return {{face[0], face[1], face[2]}};
+    std::vector<Vec3> places;
+    for (const Index node : face) places.push_back(x.xyz(node));
+    const auto area = [&](std::size_t a, std::size_t b, std::size_t c) {
+      return (places[b] - places[a]).cross(places[c] - places[a]).norm();
+    };
+    constexpr double flat = 1e-6;  // of the other triangle
+    if (face.size() == 4) {
+      const auto [less, more] = std::minmax({area(0, 1, 2), area(0, 2, 3)});
+      if (less > flat * more) return {{face[0], face[1], face[2]}, {face[0], face[2], face[3]}};
+    }
     std::vector<FacetNodes<D>> facets;
-    for (std::size_t k = 1; k + 1 < face.size(); ++k)
-      facets.push_back({face[0], face[k], face[k + 1]});
+    for (const auto& [a, b, c] : cut_face(places))
+      facets.push_back({face[at(a)], face[at(b)], face[at(c)]});
     return facets;
   }
 }
@@ -238,8 +250,8 @@ class MovingInside {
 }  // namespace
 
 template <int D>
-Outline<D>::Outline(const Topology& topology, std::span<const Index> moving_nodes,
-                    std::span<const Index> yielding) {
+Outline<D>::Outline(const Topology& topology, const Coordinates& x,
+                    std::span<const Index> moving_nodes, std::span<const Index> yielding) {
   std::vector<bool> yields(static_cast<std::size_t>(topology.node_count()), false);
   for (const Index node : yielding) yields[static_cast<std::size_t>(node)] = true;
   std::vector<unsigned char> moves(static_cast<std::size_t>(topology.node_count()), 0);
@@ -263,7 +275,7 @@ Outline<D>::Outline(const Topology& topology, std::span<const Index> moving_node
     if (std::ranges::any_of(nodes_of_face,
                             [&](Index node) { return yields[static_cast<std::size_t>(node)]; }))
       continue;
-    for (const FacetNodes<D>& nodes : facets_of<D>(nodes_of_face)) add(nodes, own, moves);
+    for (const FacetNodes<D>& nodes : facets_of<D>(nodes_of_face, x)) add(nodes, own, moves);
   }
 }
 

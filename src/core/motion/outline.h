@@ -55,8 +55,8 @@ Facet<static_cast<int>(N)> facet(const std::array<Index, N>& nodes, const Coordi
 
 /// The facets of a mesh that may meet when some nodes move: those of the boundary, those of markers
 /// inside, and those around what moves as a whole inside (the solid of a coupled mesh): all their
-/// nodes move, and they do not lie between two elements all of whose nodes move. Quadrilaterals of
-/// volume meshes are two triangles.
+/// nodes move, and they do not lie between two elements all of whose nodes move. Faces of
+/// volume meshes are cut into triangles.
 template <int D>
 struct Outline {
   static constexpr Index no_marker = -1, prescribed_inside = -2;
@@ -73,9 +73,9 @@ struct Outline {
   Part fixed;                       ///< all others
   std::vector<std::size_t> joints;  ///< indices into `moving`: facets that also have a fixed node
 
-  /// topology: of a plane (D = 2) or volume (D = 3) mesh. yielding: facets with a node of these are
-  /// left out.
-  Outline(const Topology& topology, std::span<const Index> moving_nodes,
+  /// topology: of a plane (D = 2) or volume (D = 3) mesh. x: where faces with more than three nodes
+  /// are cut. yielding: facets with a node of these are left out.
+  Outline(const Topology& topology, const Coordinates& x, std::span<const Index> moving_nodes,
           std::span<const Index> yielding = {});
 
   /// The name of a marker of `topology` for messages; "" for no_marker.

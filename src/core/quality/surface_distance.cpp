@@ -40,7 +40,7 @@ double middle_distance(const SpacePoints& x, std::span<const Index> nodes,
                        const SurfaceDistance& from) {
   double largest = 0;
   for (const auto& [a, b, c] : triangles_of(x, nodes))
-    largest = std::max(largest, from.to((x[nodes[a]] + x[nodes[b]] + x[nodes[c]]) / 3));
+    largest = std::max(largest, from.to((x[nodes[at(a)]] + x[nodes[at(b)]] + x[nodes[at(c)]]) / 3));
   return largest;
 }
 
@@ -60,7 +60,7 @@ SurfaceDistance::SurfaceDistance(const Mesh& mesh) {
   for (Index e = 0; e < mesh.topology->element_count(); ++e) {
     const auto nodes = mesh.topology->element(e);
     for (const auto& [a, b, c] : triangles_of(x, nodes))
-      add({x[nodes[a]], x[nodes[b]], x[nodes[c]]});
+      add({x[nodes[at(a)]], x[nodes[at(b)]], x[nodes[at(c)]]});
   }
   tree_ = BoxTree<3>(boxes);
 }
@@ -134,7 +134,8 @@ double enclosed_volume(const Mesh& mesh) {
   };
   for (Index e = 0; e < mesh.topology->element_count(); ++e) {
     const auto nodes = mesh.topology->element(e);
-    for (const auto& [a, b, c] : triangles_of(x, nodes)) add(x[nodes[a]], x[nodes[b]], x[nodes[c]]);
+    for (const auto& [a, b, c] : triangles_of(x, nodes))
+      add(x[nodes[at(a)]], x[nodes[at(b)]], x[nodes[at(c)]]);
   }
   return volume;
 }

@@ -75,7 +75,9 @@ OptionTable vcv_rows(SmoothOptions& o) {
       {.key = "vcv",
        .value = ChoiceOption(
            o.vcv,
-           {{"auto", "Automatic", "adjusted ones of a volume mesh, equal ones of a plane mesh"},
+           {{"auto", "Automatic",
+             "adjusted ones of a volume mesh, equal ones of a plane mesh and of one with "
+             "polyhedra"},
             {"equal", "Equal angles", "each triangle of a star has the same angle"},
             {"existing", "Existing angles",
              "the solid angles of the mesh as given; volume meshes only"},

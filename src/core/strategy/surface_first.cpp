@@ -88,6 +88,12 @@ SurfaceOfMesh surface_of(const Mesh& volume, const SlidingBoundary& boundary,
   const auto number = [&](Index node) {
     return static_cast<Index>(std::ranges::lower_bound(out.nodes, node) - out.nodes.begin());
   };
+  for (const SurfaceFace& face : sliding.faces)
+    if (face.nodes.size() > 4)
+      throw UsageError("surface_first: the face of " + nodes_text(face.nodes) + " has " +
+                       std::to_string(face.nodes.size()) +
+                       " corners, and surface meshes have triangles and quadrilaterals only: "
+                       "without it the boundary is smoothed together with the interior");
   MeshData data;
   data.coordinates = Coordinates(3, static_cast<Index>(out.nodes.size()));
   for (std::size_t i = 0; i < out.nodes.size(); ++i)

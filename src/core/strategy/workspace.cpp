@@ -7,14 +7,23 @@
 
 namespace winslow {
 
-VolumeVcvOptions volume_vcv_options(const SmoothOptions& options) {
+namespace {
+
+VcvKind chosen_kind(VcvKind kind, const Topology& topology) {
+  return kind == VcvKind::automatic && topology.has_polyhedra() ? VcvKind::equal : kind;
+}
+
+}  // namespace
+
+VolumeVcvOptions volume_vcv_options(const SmoothOptions& options, const Topology& topology) {
   VolumeVcvOptions vcvs;
+  const VcvKind kind = chosen_kind(options.vcv, topology);
   vcvs.threads = options.threads;
   vcvs.length_power = options.vcv_lengths;
-  if (options.vcv == VcvKind::equal) vcvs.angles = VcvAngles::equal;
-  if (options.vcv == VcvKind::existing) vcvs.angles = VcvAngles::existing;
-  if (follows_mesh(options.vcv)) vcvs.angles = VcvAngles::adjusted;
-  if (options.vcv == VcvKind::perturbation) vcvs.construction = VcvConstruction::perturbation;
+  if (kind == VcvKind::equal) vcvs.angles = VcvAngles::equal;
+  if (kind == VcvKind::existing) vcvs.angles = VcvAngles::existing;
+  if (follows_mesh(kind)) vcvs.angles = VcvAngles::adjusted;
+  if (kind == VcvKind::perturbation) vcvs.construction = VcvConstruction::perturbation;
   return vcvs;
 }
 
@@ -44,6 +53,7 @@ void SmoothingWorkspace::prepare(const MeshState& state,
   classes_ = classes;
   if (!same_unknowns(unknowns_, *classes)) unknowns_ = classes;
   options_ = options;
+  options_.vcv = chosen_kind(options.vcv, classes->topology());
   vcvs_ = state.vcvs;
   roles_ = state.roles;
   wall_stretch_ = std::move(wall_stretch);
@@ -81,7 +91,7 @@ Validity SmoothingWorkspace::validity(const Coordinates& x) const {
 
 SmoothingWorkspace::ComputedVcvs SmoothingWorkspace::make_vcvs(const Coordinates& x) const {
   return {std::make_shared<const VolumeVcvs>(classes_->shared_topology(), x,
-                                             volume_vcv_options(options_)),
+                                             volume_vcv_options(options_, classes_->topology())),
           follows_mesh(options_.vcv) && tangled(x)};
 }
 

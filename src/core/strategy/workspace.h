@@ -62,7 +62,10 @@ inline EquationOptions equation_options(const SmoothOptions& options, int cell_d
           options.adapt_damping, options.acceleration};
 }
 
-VolumeVcvOptions volume_vcv_options(const SmoothOptions& options);
+/// The options for the VCVs of a volume mesh. VcvKind::automatic stands for adjusted ones, in a
+/// mesh with polyhedra for equal ones: a node of a dual mesh has four edges, and four solid angles
+/// leave their directions open. Those that follow the mesh keep its poor shapes as targets.
+VolumeVcvOptions volume_vcv_options(const SmoothOptions& options, const Topology& topology);
 
 /// Prepared solvers of a run, kept from one run to the next, so that a drag of a body or a VCV does
 /// not remake them at every mouse move.

@@ -17,6 +17,7 @@ struct Item {
   Index region = -1;
   std::size_t place = 0;  // in the file
   bool gone = false;
+  std::vector<Face> faces = {};  // of a polyhedron
 };
 
 /// Counts faults of one kind and knows where the first one is.
@@ -52,6 +53,7 @@ class Mender {
                         {corners.begin(), corners.end()},
                         data.element_region.empty() ? -1 : data.element_region[k],
                         k < mesh.where.elements.size() ? mesh.where.elements[k] : 0});
+      items_.back().faces.assign(data.polyhedron(e).begin(), data.polyhedron(e).end());
     }
     node_places_.resize(at(x_.size()), 0);
   }
@@ -96,6 +98,7 @@ class Mender {
         visit(Face(item.corners[k], item.corners[(k + 1) % n]));
       return;
     }
+    for (const Face& face : item.faces) visit(face);
     for (const Face& face : shape_of(item.type).faces)
       visit(by_nodes(face, std::span<const Index>(item.corners)));
   }
@@ -111,11 +114,14 @@ class Mender {
 
   /// True if an element has all its corners, and the mesh has their points.
   bool is_known(const Item& item) const {
-    const bool complete = item.type == ElementType::polygon
-                              ? item.corners.size() >= 3
+    const auto has_points = [&](const auto& nodes) {
+      return std::ranges::all_of(nodes, [&](Index node) { return node >= 0 && node < x_.size(); });
+    };
+    const bool complete = item.type == ElementType::polygon ? item.corners.size() >= 3
+                          : item.type == ElementType::polyhedron
+                              ? item.faces.size() >= 4
                               : item.corners.size() == at(corner_count(item.type));
-    return complete && std::ranges::all_of(
-                           item.corners, [&](Index node) { return node >= 0 && node < x_.size(); });
+    return complete && has_points(item.corners) && std::ranges::all_of(item.faces, has_points);
   }
 
   void drop_unknown_corners() {
@@ -148,9 +154,11 @@ class Mender {
     }
     std::ranges::sort(gone);
     for (const Index node : gone) merged.add(node_places_[at(node)]);
-    for (Item& item : items_)
-      if (!item.gone)
-        for (Index& corner : item.corners) corner = node_of_[at(corner)];
+    for (Item& item : items_) {
+      if (item.gone) continue;
+      for (Index& corner : item.corners) corner = node_of_[at(corner)];
+      for (Face& face : item.faces) face = by_nodes(face, node_of_);
+    }
     say(merged, "point lies where an earlier one does: they are one now",
         "points lie where earlier ones do: they are one now");
   }
@@ -188,10 +196,34 @@ class Mender {
       const auto corners = without_repeats({face.begin(), face.end()});
       if (corners.size() > 2) faces.emplace_back(corners);
     });
+    if (item.type == ElementType::polyhedron) return collapse_polyhedron(item, distinct, faces);
     const auto cell = cell_of_faces(faces);
     if (!cell) return false;
     item.type = cell->type;
     item.corners = cell->corners;
+    return true;
+  }
+
+  /// Makes a polyhedron of faces that are left of one, unless they do not close.
+  bool collapse_polyhedron(Item& item, const std::vector<Index>& distinct,
+                           std::vector<Face>& faces) const {
+    // Two faces that lie on each other now bound nothing.
+    const std::vector<Face> all = faces;
+    std::erase_if(faces, [&](const Face& face) {
+      return std::ranges::count_if(
+                 all, [&](const Face& other) { return other.sorted() == face.sorted(); }) > 1;
+    });
+    try {
+      make_faces_alike(faces);
+    } catch (const FacesFault&) {
+      return false;
+    }
+    item.faces = faces;
+    item.corners = distinct;
+    std::erase_if(item.corners, [&](Index node) {
+      return std::ranges::none_of(
+          faces, [&](const Face& face) { return std::ranges::find(face, node) != face.end(); });
+    });
     return true;
   }
 
@@ -473,10 +505,15 @@ class Mender {
       std::vector<Index> corners;
       for (const Index node : item.corners)
         corners.push_back(number_.empty() ? node : number_[at(node)]);
-      data.add_element(item.type, corners);
+      Item renumbered = item;
+      for (Face& face : renumbered.faces)
+        if (!number_.empty()) face = by_nodes(face, number_);
+      if (item.type == ElementType::polyhedron)
+        data.add_polyhedron(corners, renumbered.faces);
+      else
+        data.add_element(item.type, corners);
       where.elements.push_back(item.place);
       if (!mesh_.data.element_region.empty()) data.element_region.push_back(item.region);
-      Item renumbered = item;
       renumbered.corners = std::move(corners);
       for_each_side(renumbered, [&](const Face& face) { sides.insert(face.sorted()); });
     }

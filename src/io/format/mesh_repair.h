@@ -12,8 +12,8 @@ namespace winslow::io {
 /// Mends a mesh, in this order:
 ///
 /// - points at exactly the same place become one (so cracks and baffles without thickness close);
-/// - elements that use a point twice: quadrilaterals become triangles; hexahedra, prisms and
-///   pyramids what is left of them; others are left out;
+/// - elements that use a point twice: quadrilaterals become triangles; hexahedra, prisms, pyramids,
+///   polygons and polyhedra what is left of them; others are left out;
 /// - elements with the points of an earlier one are left out;
 /// - triangles without area: the element beyond the longest edge is cut at the middle point, so
 ///   that no hole stays; at the border they are left out;

@@ -3,19 +3,23 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace winslow {
 
 namespace {
 
-/// A strip of n by m squares of edge 1/n, each cut in two or whole, rolled up about the y axis.
+enum class Faces { triangles, squares, bricks };
+
+/// A strip of n by m squares of edge 1/n, each cut in two or whole, or two of them a brick with six
+/// nodes, rolled up about the y axis.
 struct Strip {
   Coordinates x = Coordinates(3, 0);
   std::vector<Face> faces;
   Index n, m;
 
-  Strip(Index squares, Index rows, bool triangles, double radius = 0) : n(squares), m(rows) {
+  Strip(Index squares, Index rows, Faces kind, double radius = 0) : n(squares), m(rows) {
     for (Index j = 0; j <= m; ++j)
       for (Index i = 0; i <= n; ++i) {
         const double s = static_cast<double>(i) / n, y = static_cast<double>(j) / n;
@@ -26,10 +30,12 @@ struct Strip {
     for (Index j = 0; j < m; ++j)
       for (Index i = 0; i < n; ++i) {
         const Index a = id(i, j), b = id(i + 1, j), c = id(i + 1, j + 1), d = id(i, j + 1);
-        if (triangles) {
+        if (kind == Faces::triangles) {
           faces.emplace_back(a, b, c);
           faces.emplace_back(a, c, d);
-        } else {
+        } else if (kind == Faces::bricks && (i + j) % 2 == 0 && i + 1 < n) {
+          faces.emplace_back(std::array{a, b, id(i + 2, j), id(i + 2, j + 1), c, d});
+        } else if (kind == Faces::squares || i == 0 || (i + j) % 2 == 0) {
           faces.emplace_back(a, b, c, d);
         }
       }
@@ -40,9 +46,9 @@ struct Strip {
 }  // namespace
 
 TEST_CASE("shares on a flat surface are those of the straight distance, whatever its faces") {
-  for (const bool triangles : {true, false}) {
-    CAPTURE(triangles);
-    const Strip strip(24, 24, triangles);
+  for (const Faces kind : {Faces::triangles, Faces::squares, Faces::bricks}) {
+    CAPTURE(static_cast<int>(kind));
+    const Strip strip(24, 24, kind);
     const std::vector<Index> held{strip.id(12, 12)};
     const double radius = 0.4;
     const FadedPatch patch = faded_patch(strip.faces, strip.x, held, radius);
@@ -63,7 +69,7 @@ TEST_CASE("shares on a flat surface are those of the straight distance, whatever
 
 TEST_CASE("distances run along the surface: around a cylinder, not through it") {
   // Nearly closed: its ends are .02 apart, and 1 along the surface.
-  const Strip strip(60, 4, true, 0.98 / (2 * pi) * 1.04);
+  const Strip strip(60, 4, Faces::triangles, 0.98 / (2 * pi) * 1.04);
   const FadedPatch patch =
       faded_patch(strip.faces, strip.x, std::vector<Index>{strip.id(0, 2)}, 0.3);
   for (const Index node : patch.nodes) CHECK(node % 61 <= 19);
@@ -71,7 +77,7 @@ TEST_CASE("distances run along the surface: around a cylinder, not through it") 
 }
 
 TEST_CASE("what is held moves with all of itself, with a radius of nothing alone") {
-  const Strip strip(10, 10, true);
+  const Strip strip(10, 10, Faces::triangles);
   const std::vector<Index> held{strip.id(4, 4), strip.id(5, 4), strip.id(5, 5), 100000};
   const FadedPatch alone = faded_patch(strip.faces, strip.x, held, 0);
   CHECK(alone.nodes == std::vector<Index>{held[0], held[1], held[2]});

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/quality/quality.h"
 #include "core/strategy/workspace.h"
+#include "support/polygon_meshes.h"
 #include "support/space_meshes.h"
 #include "support/wait.h"
 
@@ -186,6 +187,58 @@ TEST_CASE("a part of a body is dragged in space, each node by its share") {
   CHECK(largest_difference(frame.coordinates, same.state.mesh.coordinates) < 1e-7);
   wanted.rotate = 5;
   CHECK_THROWS_AS(drag_command(grip, wanted, {}, {}), UsageError);
+}
+
+TEST_CASE("a drag of a node takes it there and back in meshes of polyhedra and of polygons") {
+  struct Case {
+    const char* marker;
+    MeshData data;
+    Vec3 way;
+  };
+  for (const Case& sample :
+       {Case{"body", split_box_with_body(6), Vec3(0.03, -0.02, 0.04)},
+        Case{"hole", dual_of(make_mesh(square_with_hole(10, Cells::triangles))),
+             Vec3(0.02, 0.01, 0)},
+        Case{"hole", quadtree_with_hole(10), Vec3(0.01, -0.015, 0)}}) {
+    const MeshState state = make_state(make_mesh(sample.data));
+    const Topology& topology = *state.mesh.topology;
+    const std::vector<std::string> names{sample.marker};
+    const DragGrip grip{names, {topology.markers().nodes_of(names)[3]}, {1.0}};
+    const auto drag_to = [&](DragSession& drag, const RigidMotion& wanted) {
+      REQUIRE(wait_until([&] {
+        const DragFrame& frame = drag.to(wanted);
+        CHECK(check_validity(topology, frame.coordinates, 1).inverted == 0);
+        return drag.settled() && !frame.held;
+      }));
+      CHECK(drag.error().empty());
+      return drag.to(wanted).coordinates;
+    };
+    DragSession drag(state, grip, {});
+    const auto by = [&](double share) {
+      RigidMotion motion;
+      if (topology.kind() == MeshKind::volume)
+        motion.translate = share * sample.way;
+      else
+        motion.translate = Vec2(share * sample.way.head<2>());
+      return motion;
+    };
+    const RigidMotion wanted = by(1);
+    const Coordinates there = drag_to(drag, wanted);
+    const auto place = [](const Coordinates& x, Index node) {
+      return x.dimension() == 3 ? x.xyz(node) : Vec3(x.xy(node).x(), x.xy(node).y(), 0);
+    };
+    for (const Index node : topology.markers().nodes_of(names)) {
+      const Vec3 way = place(there, node) - place(state.mesh.coordinates, node);
+      CHECK((way - (node == grip.nodes[0] ? sample.way : Vec3(0, 0, 0))).norm() < 1e-14);
+    }
+    SmoothOptions smooth;
+    smooth.tolerance = 1e-10;
+    const CommandResult same =
+        execute(drag_command(grip, drag.to(wanted).motion, {}, smooth), state);
+    CHECK(largest_difference(there, same.state.mesh.coordinates) < 1e-7);
+    CHECK(largest_difference(there, state.mesh.coordinates) > 0.9 * sample.way.norm());
+    CHECK(largest_difference(drag_to(drag, by(0)), state.mesh.coordinates) < 1e-7);
+  }
 }
 
 TEST_CASE("a drag wants a motion that its mesh has") {

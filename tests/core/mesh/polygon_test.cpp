@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
+
 #include "core/command/command.h"
 #include "support/polygon_meshes.h"
 
@@ -142,6 +144,41 @@ TEST_CASE("a polygon is cut into triangles that cover it once") {
     }
     CHECK(sum == doctest::Approx(area_of(places)));
   }
+}
+
+TEST_CASE("a face in space is cut into triangles that all have an area, flat corners or not") {
+  // A square, a triangle and a regular hexagon, with nodes in the middle of some sides, turned.
+  const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
+  const std::vector<std::vector<Vec2>> corners{
+      {{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{0, 0}, {2, 0}, {1, 9}}, regular_polygon(6)};
+  for (const std::vector<Vec2>& polygon : corners)
+    for (unsigned split = 0; split < 1U << polygon.size(); ++split) {
+      std::vector<Vec3> places;
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec2 &p = polygon[k], &next = polygon[(k + 1) % polygon.size()];
+        places.emplace_back(turn * Vec3(p.x(), p.y(), 5));
+        const Vec2 middle = 0.5 * (p + next);
+        if ((split >> k & 1U) != 0) places.emplace_back(turn * Vec3(middle.x(), middle.y(), 5));
+      }
+      const auto triangles = cut_face(places);
+      CHECK(triangles.size() == places.size() - 2);
+      const Vec3 normal = turn * Vec3(0, 0, 1);
+      double sum = 0;
+      for (const auto& [a, b, c] : triangles) {
+        const Vec3 p = places[at(a)];
+        const double area = 0.5 * normal.dot((places[at(b)] - p).cross(places[at(c)] - p));
+        CHECK(area > 0.05);
+        sum += area;
+      }
+      CHECK(sum == doctest::Approx(area_of(polygon)));
+    }
+  // Concave, and without area.
+  const std::vector<Vec3> arrow{{0, 0, 0}, {2, -1, 0}, {1, 0, 0}, {2, 1, 0}, {1, 0.8, 0}};
+  for (const auto& [a, b, c] : cut_face(arrow)) {
+    const Vec3 p = arrow[at(a)];
+    CHECK((arrow[at(b)] - p).cross(arrow[at(c)] - p).z() > 0);
+  }
+  CHECK(cut_face(std::vector<Vec3>(6, Vec3(1, 1, 1))).size() == 4);
 }
 
 TEST_CASE("the topology of polygons is that of the same elements by their types") {

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/command/command.h"
 #include "core/error.h"
 #include "core/mesh/mesh.h"
 #include "core/vcv/sphere/sphere_link.h"
-#include "support/space_meshes.h"
+#include "support/dual_meshes.h"
 
 using namespace winslow;
 using namespace winslow::test;
@@ -27,6 +28,19 @@ VolumeVcvs of_mesh(const Mesh& mesh, VcvAngles angles, double regularisation = 0
   options.angles = angles;
   options.physical_regularisation = regularisation;
   return {mesh.topology, mesh.coordinates, options};
+}
+
+/// The mean distance from pi of the solid angles in a mesh of nodes with four edges.
+double mean_error(const Topology& topology, const Coordinates& x) {
+  double sum = 0;
+  std::vector<Vec3> physical;
+  for (const Index node : topology.interior_nodes()) {
+    physical_directions(SpacePoints(x), node, topology.neighbours(node), physical);
+    const SphereLink link(topology, node);
+    for (const auto& [a, b, c] : link.triangles())
+      sum += std::abs(solid_angle(physical[at(a)], physical[at(b)], physical[at(c)]) - pi);
+  }
+  return sum / (4 * static_cast<double>(topology.interior_nodes().size()));
 }
 
 bool same_directions(const VolumeVcvs& a, const VolumeVcvs& b) {
@@ -71,6 +85,53 @@ TEST_CASE("the VCV of a node among cubes is the regular octahedron") {
       CHECK(std::min(std::abs(cosine), std::abs(cosine + 1)) < 1e-3);
     }
   }
+}
+
+TEST_CASE("the VCV of a node of a dual of tetrahedra has four directions, pi each") {
+  // Tetrahedra of a body-centred lattice, whose dual has truncated octahedra.
+  Mesh tetrahedra = make_mesh(cube(6, Volumes::tetrahedra));
+  Eigen::Matrix3d lattice;
+  lattice << 1, 1, -1, 1, -1, 1, -1, 1, 1;
+  for (Index i = 0; i < tetrahedra.coordinates.size(); ++i)
+    tetrahedra.coordinates.set_xyz(i, lattice * tetrahedra.coordinates.xyz(i));
+  const Mesh mesh = make_mesh(dual_of_interior(tetrahedra));
+  REQUIRE(mesh.topology->has_polyhedra());
+  const auto interior = mesh.topology->interior_nodes();
+  REQUIRE(interior.size() > 100);
+  const VolumeVcvs vcvs(mesh.topology);
+  for (const Index node : interior) {
+    const auto d = directions_of(vcvs, node);
+    REQUIRE(d.size() == 4);
+    const SphereLink link(*mesh.topology, node);
+    REQUIRE(link.triangles().size() == 4);
+    double sum = 0;
+    for (const auto& [a, b, c] : link.triangles()) {
+      const double angle = solid_angle(d[at(a)], d[at(b)], d[at(c)]);
+      CHECK(angle == doctest::Approx(pi).epsilon(1e-6));
+      sum += angle;
+    }
+    CHECK(sum == doctest::Approx(4 * pi));
+    // Then they are those of the regular tetrahedron, 109.47 degrees apart.
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t k = 0; k < i; ++k) CHECK(d[i].dot(d[k]) == doctest::Approx(-1.0 / 3));
+  }
+  // So are the angles in the mesh.
+  CHECK(mean_error(*mesh.topology, mesh.coordinates) < 1e-12);
+}
+
+TEST_CASE("smoothing towards the VCVs of a dual mesh brings its solid angles nearer to pi") {
+  const Mesh mesh = make_mesh(dual_of_interior(shaken_box(7, 0.3, 7)));
+  SmoothCommand smooth;
+  smooth.smooth.targets = TargetBlend{.vcv = 1};
+  const CommandResult result = execute(smooth, make_state(mesh));
+  CHECK(result.smooth.converged);
+  CHECK(result.smooth.inverted == 0);
+  const Coordinates& x = result.state.mesh.coordinates;
+  CHECK(largest_difference(x, mesh.coordinates) > 0.01);
+  CHECK(mean_error(*mesh.topology, x) < mean_error(*mesh.topology, mesh.coordinates));
+  // Equal angles are the default of meshes with polyhedra.
+  smooth.smooth.vcv = VcvKind::equal;
+  CHECK(execute(smooth, make_state(mesh)).state.mesh.coordinates == x);
 }
 
 TEST_CASE("existing angles are those of the mesh, as far as regularisation lets them") {

@@ -4,7 +4,10 @@
 
 #include <Eigen/Geometry>
 
+#include "core/error.h"
 #include "core/quality/quality.h"
+#include "io/format/parsed_mesh.h"
+#include "io/support/polyhedra_samples.h"
 #include "io/support/samples.h"
 #include "io/support/volume_samples.h"
 
@@ -152,6 +155,96 @@ TEST_CASE("repair: an element of a point that does not exist is damage, which no
     CHECK_CONTAINS(message, "a.su2:4: element 1 uses node 7, expected 0 to 3");
     CHECK(message.find("--repair") == std::string::npos);
   }
+}
+
+namespace {
+
+/// The halves of a mesh of polyhedra below and above z = 1/2, each with nodes of its own there. The
+/// copies come last.
+MeshData halves_apart(const MeshData& whole) {
+  MeshData data = whole;
+  data.types.clear();
+  data.element_nodes.clear();
+  data.element_offsets = {0};
+  data.faces.clear();
+  data.face_offsets.clear();
+  data.markers.clear();
+  std::map<Index, Index> copies;
+  const auto copy = [&](Index node) {
+    if (std::abs(whole.coordinates.xyz(node).z() - 0.5) > 1e-9) return node;
+    const auto [it, fresh] = copies.try_emplace(node, data.node_count());
+    if (fresh) data.coordinates.push_xyz(whole.coordinates.xyz(node));
+    return it->second;
+  };
+  for (Index e = 0; e < whole.element_count(); ++e) {
+    double height = 0;
+    for (const Index node : whole.element(e)) height += whole.coordinates.xyz(node).z();
+    const bool above = height > 0.5 * static_cast<double>(whole.element(e).size());
+    std::vector<Face> faces;
+    for (const Face& face : whole.polyhedron(e)) {
+      std::vector<Index> nodes;
+      for (const Index node : face) nodes.push_back(above ? copy(node) : node);
+      faces.emplace_back(std::span<const Index>(nodes));
+    }
+    data.add_polyhedron(faces);
+  }
+  return data;
+}
+
+std::vector<std::string> repaired(MeshData& data) {
+  io::ParsedMesh parsed;
+  parsed.data = data;
+  const std::vector<std::string> said = io::repair(parsed, io::Source("a.vtu", ""));
+  data = parsed.data;
+  return said;
+}
+
+}  // namespace
+
+TEST_CASE("repair: polyhedra whose points lie twice in one place are joined") {
+  for (const MeshData& whole :
+       {as_polyhedra(cube(4, Volumes::hexahedra)), split_box_with_body(6)}) {
+    MeshData data = halves_apart(whole);
+    REQUIRE(data.node_count() > whole.node_count());
+    REQUIRE(Topology::build(data)->face_count() > Topology::build(whole)->face_count());
+    const std::vector<std::string> said = repaired(data);
+    CHECK(any_contains(said, "lie where earlier ones do: they are one now"));
+    check_same_cells(make_mesh(data), make_mesh(whole));
+    CHECK(repaired(data).empty());
+  }
+}
+
+TEST_CASE("repair: polyhedra with a point twice get smaller, flat ones are left out") {
+  // An edge of both prisms has no length: they have eleven sides.
+  MeshData data = stacked_prisms(12);
+  data.markers.clear();
+  for (const Index level : {0, 12, 24})
+    data.coordinates.set_xyz(level + 5, data.coordinates.xyz(level + 4));
+  std::vector<std::string> said = repaired(data);
+  CHECK(any_contains(said, "2 elements use a point twice: smaller ones are left of them"));
+  const Mesh mesh = make_mesh(data);
+  CHECK(mesh.topology->node_count() == 33);
+  REQUIRE(mesh.topology->element_count() == 2);
+  for (const Index e : {0, 1}) CHECK(mesh.topology->shape(e).faces.size() == 13);
+  CHECK(check_validity(*mesh.topology, mesh.coordinates).inverted == 0);
+  // The upper prism has no height, and a cell is given twice.
+  data = stacked_prisms(12);
+  data.markers.clear();
+  for (Index k = 0; k < 12; ++k) data.coordinates.set_xyz(24 + k, data.coordinates.xyz(12 + k));
+  const std::vector<Face> lower(data.polyhedron(0).begin(), data.polyhedron(0).end());
+  data.add_polyhedron(lower);
+  MeshData shown = data;
+  CHECK_THROWS_AS(make_mesh(data), MeshError);
+  said = repaired(data);
+  CHECK(any_contains(said, "1 element that uses a point twice is left out"));
+  CHECK(any_contains(said, "1 element has the points of an earlier one: left out"));
+  CHECK(make_mesh(data).topology->element_count() == 1);
+  // To be shown, it need not be mended.
+  io::ParsedMesh parsed;
+  parsed.data = shown;
+  CHECK(any_contains(io::leave_out_defects(parsed, io::Source("a.vtu", "")),
+                     "1 element has the points of an earlier one: left out"));
+  CHECK(parsed.data.element_count() == 2);
 }
 
 TEST_CASE("a defective mesh is refused for motions and shown otherwise, with what is wrong where") {

@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 
-#include "core/error.h"
 #include "core/mesh/index_sets.h"
+#include "core/mesh/polygon.h"
 
 namespace winslow {
 
@@ -63,30 +63,26 @@ Vec3 paraboloid_normal(const Triangulation& surface, const CompressedRows& star,
   return normal.dot(rough) > least_cosine ? normal : rough;
 }
 
-constexpr std::size_t most_corners = 4096;  // of a face
-
 }  // namespace
 
-std::span<const std::array<std::size_t, 3>> triangles_of(const SpacePoints& x,
-                                                         std::span<const Index> f) {
-  using Corners = std::array<std::size_t, 3>;
-  static constexpr std::array<Corners, 2> first{{{0, 1, 2}, {0, 2, 3}}},
-      second{{{0, 1, 3}, {1, 2, 3}}};
-  if (f.size() == 3) return std::span(first).first(1);
+std::vector<std::array<Index, 3>> triangles_of(const SpacePoints& x, std::span<const Index> f) {
+  if (f.size() == 3) return {{0, 1, 2}};
   if (f.size() > 4) {
-    // The triangles of a face of n corners about its first corner begin those of larger faces.
-    static const std::vector<Corners> fan = [] {
-      std::vector<Corners> list;
-      for (std::size_t k = 1; k < most_corners - 1; ++k) list.push_back({0, k, k + 1});
-      return list;
-    }();
-    if (f.size() > most_corners)
-      throw UsageError("a face of " + std::to_string(f.size()) + " nodes, expected at most " +
-                       std::to_string(most_corners));
-    return std::span(fan).first(f.size() - 2);
+    std::vector<Vec3> places;
+    for (const Index node : f) places.push_back(x[node]);
+    return cut_face(places);
   }
-  const bool shorter = (x[f[2]] - x[f[0]]).squaredNorm() <= (x[f[3]] - x[f[1]]).squaredNorm();
-  return shorter ? first : second;
+  const auto area = [&](std::size_t a, std::size_t b, std::size_t c) {
+    return (x[f[b]] - x[f[a]]).cross(x[f[c]] - x[f[a]]).norm();
+  };
+  constexpr double flat = 1e-6;  // over the smaller triangle of the other cut
+  const double first_smaller = std::min(area(0, 1, 2), area(0, 2, 3)),
+               second_smaller = std::min(area(0, 1, 3), area(1, 2, 3));
+  bool first = (x[f[2]] - x[f[0]]).squaredNorm() <= (x[f[3]] - x[f[1]]).squaredNorm();
+  if ((first ? first_smaller : second_smaller) <= flat * (first ? second_smaller : first_smaller))
+    first = !first;
+  if (first) return {{0, 1, 2}, {0, 2, 3}};
+  return {{0, 1, 3}, {1, 2, 3}};
 }
 
 std::vector<std::array<Index, 3>> triangle_neighbours(const Triangulation& surface) {

@@ -13,9 +13,9 @@ struct Triangulation {
 };
 
 /// Splits a face into triangles, as numbers of its corners: a triangle is its own, a quadrilateral
-/// is cut along its shorter diagonal. face: nodes.
-std::span<const std::array<std::size_t, 3>> triangles_of(const SpacePoints& x,
-                                                         std::span<const Index> face);
+/// is cut along its shorter diagonal, or the other one if that leaves a triangle without area (its
+/// corner is flat), and a face with more corners is cut as by cut_face(). face: nodes.
+std::vector<std::array<Index, 3>> triangles_of(const SpacePoints& x, std::span<const Index> face);
 
 /// Neighbour k of a triangle is beyond the edge from its corner k to the next one; -1: none, or
 /// more than one.

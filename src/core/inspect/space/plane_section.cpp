@@ -26,6 +26,8 @@ std::array<Vec3, 2> directions_in(const Vec3& unit_normal) {
 namespace {
 
 constexpr Index block_size = 32;
+constexpr double nearness = 1e-10;      // of a node to a plane, over the mesh's extent
+constexpr double node_nearness = 1e-3;  // over the node's shortest edge
 
 }  // namespace
 
@@ -70,11 +72,14 @@ void SectionIndex::measure(const Mesh& mesh) {
   for (const Box<3>& box : boxes_) extent_.add(box);
 }
 
-std::vector<Index> SectionIndex::near(const Plane& plane, double slack) const {
+std::vector<Index> SectionIndex::near(const Plane& plane) const {
   std::vector<Index> near;
   const Vec3 across = plane.normal().cwiseAbs();
   const Index count = order_->corners.rows();
+  const double size = extent_.size().norm();
   for (std::size_t b = 0; b < boxes_.size(); ++b) {
+    // The shortest edge of a node in the block is no longer than the diagonal of the box.
+    const double slack = node_nearness * boxes_[b].size().norm() + 2 * nearness * size;
     const double reach = 0.5 * across.dot(boxes_[b].size()) + slack;
     // The comparison is false for NaN, so that blocks with NaN are included.
     if (std::abs(plane.distance(boxes_[b].centre())) > reach) continue;
@@ -85,8 +90,6 @@ std::vector<Index> SectionIndex::near(const Plane& plane, double slack) const {
 }
 
 namespace {
-
-constexpr double nearness = 1e-10;  // of the mesh's extent
 
 /// Nodes and elements of a mesh in its own order, or in the order of an index, by their numbers in
 /// that order.
@@ -102,6 +105,8 @@ class OrderedMesh {
   Vec3 point(Index node) const { return index_ ? index_->places()[at(node)] : x_[node]; }
   /// The number of an element in the mesh.
   Index element(Index e) const { return index_ ? index_->order().elements[at(e)] : e; }
+  /// The number of a node in the mesh.
+  Index node(Index i) const { return index_ ? index_->order().nodes[at(i)] : i; }
   const ElementShape& shape(Index e) const { return mesh_.topology->shape(element(e)); }
   ElementType type(Index e) const { return mesh_.topology->element_type(element(e)); }
 
@@ -112,31 +117,57 @@ class OrderedMesh {
   const CompressedRows& rows_;
 };
 
-/// Signed distances of points from a plane, 0 for points that count as on it.
+/// Signed distances of the nodes of a mesh from a plane, 0 for those that count as on it.
 class PlaneDistance {
  public:
-  PlaneDistance(const Plane& plane, const Box<3>& extent)
-      : plane_(plane), least_(nearness * extent.size().norm()) {}
-
-  double of(const Vec3& point) const {
-    const double distance = plane_.distance(point);
-    return std::abs(distance) > least_ ? distance : 0;
+  PlaneDistance(const Mesh& mesh, const Plane& plane, const Box<3>& extent)
+      : topology_(*mesh.topology), x_(mesh.coordinates), plane_(plane) {
+    const double size = extent.size().norm();
+    least_ = nearness * size;
+    most_ = node_nearness * size;
   }
-  double least() const { return least_; }
+
+  double of(Index node) const {
+    const double distance = plane_.distance(x_[node]);
+    return std::abs(distance) <= least_ || (is_near(node) && is_in_near_face(node)) ? 0 : distance;
+  }
 
  private:
+  /// Whether a node is nearer than the share of its shortest edge.
+  bool is_near(Index node) const {
+    const Vec3 p = x_[node];
+    const double away = std::abs(plane_.distance(p));
+    if (away <= least_) return true;
+    return away <= most_ && std::ranges::all_of(topology_.neighbours(node), [&](Index other) {
+             return away <= node_nearness * (x_[other] - p).norm();
+           });
+  }
+  /// Whether it is in a face of which all nodes are near. Where the plane passes near a single
+  /// node, the section has the intersections with its edges.
+  bool is_in_near_face(Index node) const {
+    return std::ranges::any_of(topology_.star(node), [&](Index e) {
+      const auto corners = topology_.element(e);
+      return std::ranges::any_of(topology_.shape(e).faces, [&](const Face& local) {
+        const Face face = by_nodes(local, corners);
+        return std::ranges::find(face, node) != face.end() &&
+               std::ranges::all_of(face, [&](Index other) { return is_near(other); });
+      });
+    });
+  }
+
+  const Topology& topology_;
+  SpacePoints x_;
   const Plane& plane_;
-  double least_;
+  double least_, most_;  // most_: no node farther away is near
 };
 
 /// Distances of all nodes of a mesh.
 std::vector<double> distances(const Mesh& mesh, const Plane& plane) {
   require_kind(*mesh.topology, MeshKind::volume, "cuts by a plane");
-  const PlaneDistance distance(plane, space_bounds(mesh));
-  const SpacePoints x(mesh.coordinates);
+  const PlaneDistance distance(mesh, plane, space_bounds(mesh));
   std::vector<double> d(at(mesh.coordinates.size()));
   parallel_for(0, mesh.coordinates.size(), [&](Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) d[at(i)] = distance.of(x[i]);
+    for (Index i = begin; i < end; ++i) d[at(i)] = distance.of(i);
   });
   return d;
 }
@@ -257,7 +288,8 @@ const std::array<TetrahedronCut, 16>& tetrahedron_cuts() {
 /// Cuts elements and collects the section.
 class Cutter {
  public:
-  Cutter(const OrderedMesh& mesh, NodeSides& sides) : mesh_(mesh), sides_(sides) {}
+  Cutter(const OrderedMesh& mesh, const Plane& plane, NodeSides& sides)
+      : mesh_(mesh), plane_(plane), sides_(sides) {}
 
   /// met: elements that the plane divides.
   PlaneSection cut(std::span<const Index> met) {
@@ -356,7 +388,8 @@ class Cutter {
     const auto [point, fresh] = point_of_.find_or_add(sides_.first_point(a), b);
     if (fresh) {
       const Vec3 p = mesh_.point(a), q = mesh_.point(b);
-      section_.points.emplace_back(a == b ? p : Vec3(p + (q - p) * (behind / (behind - front))));
+      section_.points.emplace_back(a == b ? Vec3(p - plane_.distance(p) * plane_.normal())
+                                          : Vec3(p + (q - p) * (behind / (behind - front))));
     }
     return point;
   }
@@ -391,6 +424,7 @@ class Cutter {
   }
 
   const OrderedMesh& mesh_;
+  const Plane& plane_;
   NodeSides& sides_;
   std::vector<Crossing> crossings_;       // of an element
   std::vector<std::size_t> at_crossing_;  // of a face
@@ -399,8 +433,8 @@ class Cutter {
   PlaneSection section_;
 };
 
-PlaneSection whole_section(const Mesh& mesh, const std::vector<double>& distances,
-                           bool front_on_plane) {
+PlaneSection whole_section(const Mesh& mesh, const Plane& plane,
+                           const std::vector<double>& distances, bool front_on_plane) {
   NodeSides sides(mesh.coordinates.size(), front_on_plane);
   for (std::size_t i = 0; i < distances.size(); ++i) sides.put(static_cast<Index>(i), distances[i]);
   // The plane divides few elements; all threads find them first.
@@ -412,22 +446,22 @@ PlaneSection whole_section(const Mesh& mesh, const std::vector<double>& distance
   std::vector<Index> met;
   for (Index e = 0; e < topology.element_count(); ++e)
     if (flags[at(e)] != 0) met.push_back(e);
-  return Cutter(OrderedMesh(mesh, nullptr), sides).cut(met);
+  return Cutter(OrderedMesh(mesh, nullptr), plane, sides).cut(met);
 }
 
 PlaneSection indexed_section(const Mesh& mesh, const Plane& plane, const SectionIndex& index,
                              bool front_on_plane) {
-  const PlaneDistance distance(plane, index.extent());
+  const PlaneDistance distance(mesh, plane, index.extent());
   const OrderedMesh ordered(mesh, &index);
   NodeSides sides(mesh.coordinates.size(), front_on_plane);
-  std::vector<Index> met = index.near(plane, 2 * distance.least());
+  std::vector<Index> met = index.near(plane);
   std::erase_if(met, [&](Index e) {
     const auto corners = ordered.corners(e);
     for (const Index node : corners)
-      if (!sides.known(node)) sides.put(node, distance.of(ordered.point(node)));
+      if (!sides.known(node)) sides.put(node, distance.of(ordered.node(node)));
     return !sides.divides(corners);
   });
-  return Cutter(ordered, sides).cut(met);
+  return Cutter(ordered, plane, sides).cut(met);
 }
 
 }  // namespace
@@ -438,8 +472,8 @@ PlaneSection plane_section(const Mesh& mesh, const Plane& plane, const SectionIn
     return section.elements.empty() ? indexed_section(mesh, plane, *index, false) : section;
   }
   const std::vector<double> d = distances(mesh, plane);
-  PlaneSection section = whole_section(mesh, d, true);
-  return section.elements.empty() ? whole_section(mesh, d, false) : section;
+  PlaneSection section = whole_section(mesh, plane, d, true);
+  return section.elements.empty() ? whole_section(mesh, plane, d, false) : section;
 }
 
 std::vector<unsigned char> elements_behind(const Mesh& mesh, std::span<const Plane> planes) {

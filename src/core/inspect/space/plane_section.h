@@ -39,8 +39,9 @@ class SectionIndex {
   const CurveOrder& order() const { return *order_; }
   /// Positions of the nodes, by their numbers in the order.
   const std::vector<Vec3>& places() const { return places_; }
-  /// The elements of all blocks nearer to a plane than `slack`, by their numbers in the order.
-  std::vector<Index> near(const Plane& plane, double slack) const;
+  /// The elements of all blocks that a plane meets, with room for nodes that count as on it, by
+  /// their numbers in the order.
+  std::vector<Index> near(const Plane& plane) const;
   /// The box around all nodes that elements use.
   const Box<3>& extent() const { return extent_; }
 
@@ -56,10 +57,11 @@ class SectionIndex {
 /// The section of a plane through the elements of a volume mesh: polygons that tile the section
 /// without gaps.
 ///
-/// A corner of a polygon is the intersection of the plane with an edge of the mesh. A side lies in
-/// a face of the element, and the element beyond that face has the same side. A quadrilateral face
-/// with its corners alternately in front and behind has two sides: the sign of the bilinear
-/// distance at its saddle point decides which two, and it is the same for both elements.
+/// A corner of a polygon is the intersection of the plane with an edge of the mesh, or the foot of
+/// a node that counts as on the plane. A side lies in a face of the element, and the element beyond
+/// that face has the same side. A quadrilateral face with its corners alternately in front and
+/// behind has two sides: the sign of the bilinear distance at its saddle point decides which two,
+/// and it is the same for both elements.
 struct PlaneSection {
   std::vector<Vec3> points;     ///< each once
   CompressedRows polygons;      ///< indices into points, counter-clockwise seen from the front of
@@ -67,11 +69,12 @@ struct PlaneSection {
   std::vector<Index> elements;  ///< of each polygon; an element may have several
 };
 
-/// Nodes nearer to the plane than 1e-10 of the extent of the mesh count as on the plane and as in
-/// front: if the plane runs along faces, the section is that of the elements behind them. If that
-/// section is empty, as at one end of the mesh, it is that of the elements in front. index: of this
-/// mesh; polygons and points are then the same in another order. Throws UsageError unless it is a
-/// volume mesh.
+/// Nodes nearer to the plane than 1e-10 of the extent of the mesh count as on the plane. So do the
+/// nodes of a face that are all nearer than 1e-3 of their shortest edges: files with few digits and
+/// meshers that snap leave nodes a little off. Nodes on the plane count as in front: if the plane
+/// runs along faces, the section is that of the elements behind them. If that section is empty, as
+/// at one end of the mesh, it is that of the elements in front. index: of this mesh; polygons and
+/// points are then the same in another order. Throws UsageError unless it is a volume mesh.
 PlaneSection plane_section(const Mesh& mesh, const Plane& plane,
                            const SectionIndex* index = nullptr);
 

@@ -71,7 +71,8 @@ const NodeVcv& SphereInspector::vcv(Index node) const {
     const auto found = source_.by_hand->find(node);
     if (found != source_.by_hand->end()) by_hand = &found->second;
   }
-  const VolumeVcvOptions options = volume_vcv_options(settings_.smooth_options());
+  const VolumeVcvOptions options =
+      volume_vcv_options(settings_.smooth_options(), *state.mesh.topology);
   return vcvs_
       .emplace(node,
                make_node_vcv(*state.mesh.topology, state.mesh.coordinates, node, options, by_hand))

@@ -114,6 +114,45 @@ TEST_CASE("A plane along faces of elements shows each place once, at either end 
   }
 }
 
+TEST_CASE("nodes a little off the plane change neither the polygons of a section nor its area") {
+  // The plane bounds the body, a cube of 1/6, which lies behind it.
+  std::vector<std::pair<MeshData, double>> meshes{{split_box_with_body(6), 1 - 1.0 / 36}};
+  for (const Volumes volumes : all_volumes) meshes.emplace_back(cube(6, volumes), 1.0);
+  meshes.emplace_back(as_polyhedra(cube(6, Volumes::hexahedra)), 1.0);
+  const Plane plane({0.5, 0.5, 0.5}, {0, 0, -1});
+  for (const auto& [data, area] : meshes) {
+    const Mesh exact = make_mesh(data);
+    const PlaneSection expected = plane_section(exact, plane);
+    CHECK(area_of(expected, plane) == doctest::Approx(area).epsilon(1e-12));
+    for (const double off : {1e-12, 1e-9, 1e-7, 5e-5}) {
+      CAPTURE(off);
+      Mesh mesh = exact;
+      Random random(3);
+      for (Index node = 0; node < mesh.coordinates.size(); ++node) {
+        Vec3 p = mesh.coordinates.xyz(node);
+        if (std::abs(p.z() - 0.5) > 1e-9) continue;
+        p.z() += random.index(2) == 0 ? off : -off;
+        mesh.coordinates.set_xyz(node, p);
+      }
+      const SectionIndex index(mesh);
+      for (const SectionIndex* used : {static_cast<const SectionIndex*>(nullptr), &index}) {
+        const PlaneSection section = plane_section(mesh, plane, used);
+        CHECK(area_of(section, plane) == doctest::Approx(area).epsilon(1e-6));
+        CHECK(section.points.size() == expected.points.size());
+        CHECK(section.polygons.values.size() == expected.polygons.values.size());
+        std::vector<Index> met = section.elements, of_exact = expected.elements;
+        std::ranges::sort(met);
+        std::ranges::sort(of_exact);
+        CHECK(met == of_exact);
+        check_tiling(section, false);
+        for (const Vec3& p : section.points) CHECK(std::abs(plane.distance(p)) < 1e-14);
+      }
+      // The crinkled cut has no second sheet of elements.
+      CHECK(elements_behind(mesh, std::array{plane}) == elements_behind(exact, std::array{plane}));
+    }
+  }
+}
+
 TEST_CASE("A section leaves cavities out") {
   const Mesh mesh = make_mesh(cube_with_cavity(6, Volumes::mixed));
   const Plane plane({0.5, 0.45, 0.5}, {0, 1, 0});
@@ -233,12 +272,12 @@ TEST_CASE("what a plane meets is near it in the index, and what is far is left o
   const SectionIndex index(mesh);
   CHECK(index.extent() == space_bounds(mesh));
   const Plane plane({0.5, 0.5, 0.31}, {0.1, 0.2, 1});
-  const std::vector<Index> near = index.near(plane, 0);
+  const std::vector<Index> near = index.near(plane);
   std::vector<unsigned char> is_near(at(mesh.topology->element_count()), 0);
   for (const Index e : near) is_near[at(index.order().elements[at(e)])] = 1;
   for (const Index e : plane_section(mesh, plane).elements) CHECK(is_near[at(e)] == 1);
   CHECK(near.size() < 0.7 * static_cast<double>(is_near.size()));
-  CHECK(index.near(Plane({0, 0, 5}, {0, 0, 1}), 0).empty());
+  CHECK(index.near(Plane({0, 0, 5}, {0, 0, 1})).empty());
   // A node or an element that was forgotten would leave a hole.
   std::vector<Index> all = index.order().elements;
   std::ranges::sort(all);
