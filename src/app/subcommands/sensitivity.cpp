@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "app/job/edit_job.h"
 #include "app/output/quality_csv.h"
 #include "app/subcommands/subcommand.h"

@@ -177,7 +177,7 @@ TEST_CASE("VTU: a face that three cells have is refused with file and line") {
   text = replaced(replaced(text, "NumberOfCells=\"3\"", "NumberOfCells=\"4\""), "0 0 5", "0 0 0 5");
   CHECK(input_error("a.vtu", text) ==
         "a.vtu:23: the face with nodes 4, 7, 6 and 5 is shared by 3 elements, expected at most 2 "
-        "(non-manifold)");
+        "(non-manifold); --repair mends it");
 }
 
 TEST_CASE("VTU: arrays of VTK 9.4 that do not fit are refused with file and line") {
