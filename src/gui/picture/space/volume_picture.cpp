@@ -163,10 +163,19 @@ std::vector<Vec3> points_of(const SpaceScene& scene) {
   return points;
 }
 
+/// Whether only elements with a face on a wall have values of a field.
+bool is_at_walls(const ElementField& field) {
+  const WallField* wall = field.wall();
+  return wall && (*wall == WallField::first_height || *wall == WallField::first_height_ratio ||
+                  *wall == WallField::first_edge_tilt);
+}
+
 std::vector<Plane> chosen_cuts(const Mesh& mesh, const VolumeBoundary& boundary,
                                const VolumePictureOptions& options) {
   if (options.cuts) return *options.cuts;
   if (options.peel) return {};  // the enclosure is left out already
+  // Bodies are coloured where there is no cut, and hardly any element of one has a value.
+  if (options.color && is_at_walls(*options.color)) return {};
   return automatic_cuts(mesh, boundary, options.view.value_or(automatic_view({}, options.up)));
 }
 

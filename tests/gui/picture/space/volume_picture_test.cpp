@@ -149,12 +149,33 @@ TEST_CASE("Every metric of volume elements colours a picture, and only those") {
   const Mesh mesh = body_in_box();
   VolumePictureOptions options = small_volume();
   options.legend = true;
+  options.cuts = cuts_of_picture(mesh, options);
   for (const ElementField& field : all_element_fields(MeshKind::volume)) {
     options.color = field;
     CHECK(inked(draw_volume_picture(mesh, options), 100, 60, 300, 300) > 5000);
   }
   CHECK_THROWS_AS(parse_field("area", MeshKind::volume), UsageError);
   CHECK(parse_field("smallest_solid_angle", MeshKind::volume).cell_dimension() == 3);
+}
+
+TEST_CASE("Heights at walls are shown on the bodies, which are coloured where nothing is cut") {
+  const Mesh mesh = body_in_box();
+  VolumePictureOptions options = small_volume();
+  options.color = Metric::normalized_jacobian;
+  CHECK(cuts_of_picture(mesh, options).size() == 1);
+  options.color = WallField::size_ratio;
+  CHECK(cuts_of_picture(mesh, options).size() == 1);
+  for (const WallField field :
+       {WallField::first_height, WallField::first_height_ratio, WallField::first_edge_tilt}) {
+    options.color = field;
+    CHECK(cuts_of_picture(mesh, options).empty());
+  }
+  options.color = WallField::first_height;
+  VolumePictureOptions plain = options;
+  plain.color.reset();
+  plain.cuts = std::vector<Plane>{};
+  CHECK(differing(draw_volume_picture(mesh, options), draw_volume_picture(mesh, plain), {0, 0},
+                  {480, 360}) > 500);
 }
 
 TEST_CASE("What makes no picture of a volume mesh is refused") {
