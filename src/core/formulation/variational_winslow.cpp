@@ -352,7 +352,7 @@ Coordinates SimplexWinslow<D>::hessian_product(const Coordinates& x,
                   [&](Index cell, const double* block) {
                     const auto& nodes = this->shapes().cells[at(cell)];
                     for (std::size_t a = 0; a <= D; ++a) {
-                      for (std::size_t b = a + 1; b <= D; ++b, block += D * D) {
+                      for (std::size_t b = a + 1; b <= D; ++b, block += std::ptrdiff_t{D} * D) {
                         // The blocks of a row sum to zero.
                         const Vec<D> relative = v[nodes[b]] - v[nodes[a]];
                         const Block h(block);
