@@ -112,4 +112,26 @@ inline MeshData c_grid(Index sectors, const std::vector<double>& distance, Cut c
   return data;
 }
 
+/// Quadrilaterals inside a circle and outside another, stretched towards the inner one: each ring
+/// `growth` times as high as the one before, the first of height `first`. turn: radians by which
+/// lines off the wall lean, per unit of the radius. Markers "body" and "far".
+inline MeshData ring_grid(Index sectors, Index rings, double first, double growth,
+                          double turn = 0) {
+  MeshData data;
+  double radius = 1;
+  for (Index i = 0; i <= rings; ++i) {
+    for (Index j = 0; j < sectors; ++j) {
+      const double phi = 2 * pi * j / sectors + turn * (radius - 1);
+      data.coordinates.push_xy(radius * Vec2(std::cos(phi), std::sin(phi)));
+    }
+    radius += first * std::pow(growth, i);
+  }
+  const auto id = [&](Index i, Index j) { return i * sectors + j % sectors; };
+  for (Index i = 0; i < rings; ++i)
+    for (Index j = 0; j < sectors; ++j)
+      add_quad(data, id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1));
+  mark_boundary(data, [](const Vec2& p) { return p.norm() < 1 + 1e-9 ? "body" : "far"; });
+  return data;
+}
+
 }  // namespace winslow::test

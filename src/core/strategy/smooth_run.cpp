@@ -555,6 +555,8 @@ MotionEquations solve_at_end(const MeshState& state, const Motion& motion,
     throw UsageError(
         "what a mesh depends on is known for meshes that minimise an energy: expected the "
         "variational form and Newton's method");
+  if (options.raise_worst)
+    throw UsageError("raise_worst: a mesh whose worst element was raised minimises no energy");
   const PeriodicMotion periodic = with_images_of_sides(state, motion, options, run);
   const Motion& bodies = periodic.motion ? *periodic.motion : motion;
   RunOptions with_images = run;

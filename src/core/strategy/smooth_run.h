@@ -30,7 +30,7 @@ struct MotionEquations {
 
 /// Solves the equations that smooth_motion() leaves the mesh with, from a mesh near their solution.
 /// start: that mesh; its nodes that the motion does not take need not be at their places. Throws
-/// UsageError for the pointwise form and for the fixed point, which solve no energy.
+/// UsageError for the pointwise form, the fixed point and raise_worst, which minimise no energy.
 MotionEquations solve_at_end(const MeshState& state, const Motion& motion,
                              const SmoothOptions& options, const Coordinates& start,
                              const RunOptions& run);

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/quality/mesh_change.h"
 #include "core/quality/quality.h"
+#include "support/layered_meshes.h"
 #include "support/meshes.h"
 #include "support/random.h"
 #include "support/space_meshes.h"
@@ -56,26 +57,6 @@ MeshData extruded(const MeshData& plane, const std::vector<double>& levels) {
   return data;
 }
 
-/// Quadrilaterals inside a circle and outside another: rings of the given height and growth, each
-/// turned against the one before so that lines off the wall lean.
-MeshData turned_o_grid(Index sectors, Index rings, double first, double growth, double turn) {
-  MeshData data;
-  double radius = 1;
-  for (Index i = 0; i <= rings; ++i) {
-    for (Index j = 0; j < sectors; ++j) {
-      const double phi = 2 * pi * j / sectors + turn * (radius - 1);
-      data.coordinates.push_xy(radius * Vec2(std::cos(phi), std::sin(phi)));
-    }
-    radius += first * std::pow(growth, i);
-  }
-  const auto id = [&](Index i, Index j) { return i * sectors + j % sectors; };
-  for (Index i = 0; i < rings; ++i)
-    for (Index j = 0; j < sectors; ++j)
-      add_quad(data, id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1));
-  mark_boundary(data, [](const Vec2& p) { return p.norm() < 1 + 1e-9 ? "body" : "far"; });
-  return data;
-}
-
 /// Plane meshes around bodies: lines off the wall that lean, triangles, both kinds of cells, and a
 /// body with a concave corner.
 std::vector<MeshData> plane_meshes() {
@@ -86,7 +67,7 @@ std::vector<MeshData> plane_meshes() {
   mark_boundary(corner, [](const Vec2& p) {
     return (p - Vec2(0.5, 0.5)).cwiseAbs().maxCoeff() < 0.5 - 1e-9 ? "body" : "far";
   });
-  return {turned_o_grid(60, 6, 0.02, 1.1, 4), annulus(48, 6, 1.05, Cells::triangles),
+  return {ring_grid(60, 6, 0.02, 1.1, 4), annulus(48, 6, 1.05, Cells::triangles),
           annulus(48, 6, 1.05, Cells::mixed), square_with_two_holes(10, Cells::mixed), corner};
 }
 

@@ -19,26 +19,6 @@ using namespace winslow::test;
 
 namespace {
 
-/// Quadrilaterals inside a circle and outside another, stretched towards the inner one: each ring
-/// `growth` times as high as the one before, the first of height `first`.
-MeshData o_grid(Index sectors, Index rings, double first, double growth, double turn = 0) {
-  MeshData data;
-  double radius = 1;
-  for (Index i = 0; i <= rings; ++i) {
-    for (Index j = 0; j < sectors; ++j) {
-      const double phi = 2 * pi * j / sectors + turn * (radius - 1);
-      data.coordinates.push_xy(radius * Vec2(std::cos(phi), std::sin(phi)));
-    }
-    radius += first * std::pow(growth, i);
-  }
-  const auto id = [&](Index i, Index j) { return i * sectors + j % sectors; };
-  for (Index i = 0; i < rings; ++i)
-    for (Index j = 0; j < sectors; ++j)
-      add_quad(data, id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1));
-  mark_boundary(data, [](const Vec2& p) { return p.norm() < 1 + 1e-9 ? "body" : "far"; });
-  return data;
-}
-
 void check_all(const std::vector<double>& values, double wanted) {
   REQUIRE_FALSE(values.empty());
   for (const double value : values) CHECK(value == doctest::Approx(wanted).epsilon(1e-9));
@@ -79,7 +59,7 @@ TEST_CASE("walls are the loops around bodies, with the markers on them") {
 
 TEST_CASE("an O-grid has the first height and the growth that it was made with") {
   const double first = 1e-5;
-  const Mesh mesh = make_mesh(o_grid(37, 12, first, 1.2));
+  const Mesh mesh = make_mesh(ring_grid(37, 12, first, 1.2));
   const auto walls = find_walls(mesh);
   REQUIRE(walls.size() == 1);
   check_all(first_heights(mesh, walls[0]), first);
@@ -98,7 +78,7 @@ TEST_CASE("a height is normal to the wall where the edges are not") {
   // wall lean by 76 degrees, and the corner that they lead to lies above the wall's next edge.
   const double first = 1e-3, turn = 4;
   const Index sectors = 720;
-  const Mesh mesh = make_mesh(o_grid(sectors, 3, first, 1, turn));
+  const Mesh mesh = make_mesh(ring_grid(sectors, 3, first, 1, turn));
   const Wall wall = find_walls(mesh).front();
   const double along = (1 + first) * std::sin(turn * first);
   const double off = (1 + first) * std::cos(turn * first) - 1;
@@ -162,7 +142,7 @@ TEST_CASE("size ratios are of areas across shared edges") {
 }
 
 TEST_CASE("first heights of two meshes are compared node by node") {
-  const Mesh before = make_mesh(o_grid(40, 6, 0.01, 1.2));
+  const Mesh before = make_mesh(ring_grid(40, 6, 0.01, 1.2));
   Mesh after = before;
   const Index node = 40 + 7;  // above node 7 of the wall
   after.coordinates.set_xy(node, 1.013 * before.coordinates.xy(7));
@@ -175,14 +155,14 @@ TEST_CASE("first heights of two meshes are compared node by node") {
   CHECK(change->off == doctest::Approx(1.0 / 40));
   CHECK(change->ratio.median == doctest::Approx(1));
   CHECK(spoils_walls(*change));  // one node, but by more than a fifth
-  const Mesh other = make_mesh(o_grid(41, 6, 0.01, 1.2));
+  const Mesh other = make_mesh(ring_grid(41, 6, 0.01, 1.2));
   CHECK_FALSE(compare_first_heights(measure_walls(before).walls, measure_walls(other).walls));
 }
 
 TEST_CASE("heights of isotropic cells may change by half before that is damage") {
   // Edges along the wall of .157, heights of .15 and of .05.
-  const Mesh isotropic = make_mesh(o_grid(40, 6, 0.15, 1.2));
-  const Mesh stretched = make_mesh(o_grid(40, 6, 0.05, 1.2));
+  const Mesh isotropic = make_mesh(ring_grid(40, 6, 0.15, 1.2));
+  const Mesh stretched = make_mesh(ring_grid(40, 6, 0.05, 1.2));
   const auto raised = [](const Mesh& mesh, double height) {
     Mesh after = mesh;
     for (Index k = 0; k < 20; ++k)
@@ -207,7 +187,7 @@ TEST_CASE("heights of isotropic cells may change by half before that is damage")
 }
 
 TEST_CASE("damage is named with its figures and its place, and only where there is any") {
-  const Mesh before = make_mesh(o_grid(40, 6, 0.01, 1.2));
+  const Mesh before = make_mesh(ring_grid(40, 6, 0.01, 1.2));
   Mesh after = before;
   CHECK(find_damage(before, after).text.empty());
   after.coordinates.set_xy(40, Vec2(1.0115, 0));

@@ -257,6 +257,10 @@ TEST_CASE("what has no derivative is refused by name") {
   pointwise.smooth.formulation = Formulation::pointwise;
   CHECK_THROWS_WITH_AS(MeshSensitivity(plain.state, pointwise, moved),
                        doctest::Contains("expected the variational form"), UsageError);
+  DeformCommand raised = bent(plain, 0);
+  raised.smooth.raise_worst = true;
+  CHECK_THROWS_WITH_AS(MeshSensitivity(plain.state, raised, moved),
+                       doctest::Contains("raise_worst"), UsageError);
   const MeshSensitivity sensitivity(plain.state, bent(plain, 0), moved);
   CHECK_THROWS_WITH_AS(sensitivity.forward(Coordinates(2, 3)),
                        doctest::Contains("found vectors at 3 nodes"), UsageError);
