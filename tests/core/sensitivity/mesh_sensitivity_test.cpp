@@ -160,6 +160,8 @@ TEST_CASE("derivatives of volume meshes by their boundary are those of differenc
   for (const Volumes volumes : {Volumes::tetrahedra, Volumes::hexahedra, Volumes::prisms}) {
     check({name_of(volumes), make_state(box_with_body(5, volumes)), "body", {}, 0.02});
   }
+  // Polyhedra between split hexahedra, with hanging nodes.
+  check({"split hexahedra", make_state(make_mesh(split_box_with_body(3))), "body", {}, 0.02});
 }
 
 TEST_CASE("derivatives know nodes that slide, and images across periodic sides") {
