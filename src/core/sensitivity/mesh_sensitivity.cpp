@@ -2,6 +2,7 @@
 
 #include "core/command/local_command.h"
 #include "core/error.h"
+#include "core/sensitivity/layer_response.h"
 #include "core/sensitivity/target_response.h"
 #include "core/strategy/workspace.h"
 
@@ -47,6 +48,7 @@ class MeshSensitivity::Impl {
     for (Index node = 0; node < topology.node_count(); ++node)
       if (!equations_.classes->moves(node) && !taken[at(node)]) boundary_.push_back(node);
     prepare_targets(topology);
+    if (result.state.vcvs != state.vcvs) prepare_layers(result.state);
     prepare_solver();
     // The equations are in coordinates near the mesh.
     mesh_ = LocalFrame(state.mesh).to_mesh(equations_.solution, moved);
@@ -68,6 +70,7 @@ class MeshSensitivity::Impl {
     }
     Coordinates forces = form().hessian_product(equations_.solution, out);
     if (targets_) targets_->add_forces(out, forces);
+    if (layers_) layers_->add_forces(out, forces);
     std::vector<double> rhs(form().unknowns());
     form().velocities_transpose(equations_.solution, forces, rhs);
     for (double& value : rhs) value = -value;
@@ -83,6 +86,7 @@ class MeshSensitivity::Impl {
     form().velocities(equations_.solution, solve(rhs), multipliers);
     Coordinates response = form().hessian_product(equations_.solution, multipliers);
     if (targets_) targets_->add_transpose(multipliers, response);
+    if (layers_) layers_->add_transpose(multipliers, response);
     Coordinates out(mesh_.dimension(), mesh_.size());
     const auto add = [&](Index node, const Vec3& more) {
       set_place(out, node, place_of(out, node) + more);
@@ -165,6 +169,16 @@ class MeshSensitivity::Impl {
     targets_ =
         target_response(form(), std::move(walls), with_stretch, topology, equations_.solution);
   }
+  /// The VCVs of held layers were made anew after the motion.
+  void prepare_layers(const MeshState& result) {
+    const SmoothOptions& options = equations_.workspace->options();
+    const auto* plane = dynamic_cast<const VariationalWinslow*>(&form());
+    if (!plane || !result.layers || !result.layers->held) return;
+    layers_ = layer_response(
+        *plane,
+        {result, options.targets, *equations_.classes, equations_.reference, options.threads},
+        equations_.solution);
+  }
   void prepare_solver() {
     const SmoothOptions& options = equations_.workspace->options();
     LinearOptions linear = options.linear;
@@ -194,7 +208,8 @@ class MeshSensitivity::Impl {
   std::vector<Index> boundary_;
   Coordinates mesh_;
   double distance_ = 0;
-  std::unique_ptr<const TargetResponse> targets_;  // null: the targets do not depend on walls
+  // Null: the targets do not depend on walls, by their stretch and by VCVs of layers.
+  std::unique_ptr<const TargetResponse> targets_, layers_;
   SparseMatrix hessian_;
   mutable std::mutex mutex_;  // of the solver
   std::unique_ptr<LinearSolver> linear_;

@@ -25,10 +25,10 @@ namespace winslow {
 ///
 /// WHAT IS FROZEN at the mesh: the penalty (its knee may have been raised), the weights of
 /// deliberately stretched elements where these are clipped, the elements over a wall, the nodes
-/// that are held at folds of a surface, and the corrections of held layers: their factors in volume
-/// meshes, their VCVs in plane ones. frozen() has the numbers. What changes with the boundary is
-/// differentiated: the places of nodes that slide, images across periodic sides, rows of nodes
-/// between ends that the motion takes, and the targets over stretched walls.
+/// that are held at folds of a surface, and the corrections of the heights of held layers. frozen()
+/// has the numbers. What changes with the boundary is differentiated: the places of nodes that
+/// slide, images across periodic sides, rows of nodes between ends that the motion takes, the
+/// targets over stretched walls, and those VCVs of held layers that were corrected.
 ///
 /// Immutable; calls at once from several threads are allowed.
 class MeshSensitivity {
