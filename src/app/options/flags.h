@@ -129,6 +129,9 @@ void add_min_quality_flag(CLI::App& app, QualityFloor& floor);
 /// Declares --direct.
 void add_direct_flag(CLI::App& app, MotionOptions& options);
 
+/// Declares --sine and the flags of its options. Returns --sine.
+CLI::Option* add_sine_flags(CLI::App& app, SineDeformation& sine);
+
 /// Declares --marker, which may be given several times.
 CLI::Option* add_marker_flag(CLI::App& app, std::vector<std::string>& markers);
 

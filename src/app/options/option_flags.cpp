@@ -370,6 +370,24 @@ void add_direct_flag(CLI::App& app, MotionOptions& options) {
       ->group("Motion");
 }
 
+CLI::Option* add_sine_flags(CLI::App& app, SineDeformation& sine) {
+  const std::string group = "Shape";
+  CLI::Option* flag = app.add_option_function<std::array<double, 2>>(
+                             "--sine",
+                             [&sine](const std::array<double, 2>& v) {
+                               sine.amplitude = v[0];
+                               sine.waves = v[1];
+                             },
+                             "Add a sine wave along the body: amplitude, number of periods")
+                          ->type_name("AMPLITUDE WAVES")
+                          ->group(group);
+  const OptionTable options = option_table(sine);
+  add_option_flags(app, options, group);
+  for (const Option& option : options)
+    if (option.on_command_line == OnCommandLine::yes) app.get_option(flag_of(option))->needs(flag);
+  return flag;
+}
+
 CLI::Option* add_marker_flag(CLI::App& app, std::vector<std::string>& markers) {
   return app
       .add_option(

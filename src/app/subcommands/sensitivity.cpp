@@ -18,7 +18,9 @@ class SensitivitySubcommand : public Subcommand {
             "How a moved mesh depends on its boundary: gradients for shape optimisation")) {
     add_input(app(), input_);
     add_marker_flag(app(), markers_)
+        ->required(false)
         ->description("Marker that moved; several, and all that NAME matches with a *");
+    add_hold_layers_flag(app(), held_);
     FlagGroup product(app(), "Product");
     app()
         .add_option("--reference-mesh", reference_,
@@ -43,6 +45,19 @@ class SensitivitySubcommand : public Subcommand {
         ->expected(2, 3);
     product.value_as("--axis", axis_, "X Y Z", "The axis of that rotation in volume meshes")
         ->expected(3);
+    add_body_flag(app(), bodies_);
+    app()
+        .get_option("--body")
+        ->description(
+            "A body that moved, as given to move: its markers moved, and with --transpose the "
+            "derivatives by its shift and its angle are printed")
+        ->group("Product");
+    sine_flag_ = add_sine_flags(app(), sine_);
+    sine_flag_
+        ->description(
+            "The sine wave that deform added to the markers: the derivatives by its "
+            "amplitude and by the number of its periods are printed")
+        ->needs(transpose);
     smooth_ = independent_of_start(smooth_);
     add_smooth_flags(app(), smooth_);
     add_reading_flags(app(), reading_, "only files of one zone are read");
@@ -58,6 +73,12 @@ class SensitivitySubcommand : public Subcommand {
       throw UsageError(
           "nothing to multiply: give dJ/dX by --transpose FILE.csv, or "
           "displacements of the boundary by --forward FILE.csv");
+    if (markers_.empty() && bodies_.empty())
+      throw UsageError("nothing moved: name the markers that did with --marker or --body");
+    if (!bodies_.empty() && !(pivot_.empty() && axis_.empty()))
+      throw UsageError(
+          "found --body together with --pivot or --axis, which are of all markers as one body: "
+          "expected pivot=X,Y and axis=X,Y,Z after the name of the body");
     const std::string& table = transpose_.empty() ? forward_ : transpose_;
     check_is_file(output_, "-o");
     check_output(output_);
@@ -91,6 +112,7 @@ class SensitivitySubcommand : public Subcommand {
     Mesh moved;
     ResolvedCommand command;
     std::vector<std::string> markers;
+    std::vector<MovingBody> bodies;  ///< with pivots
     std::vector<std::string> said;
   };
 
@@ -116,21 +138,38 @@ class SensitivitySubcommand : public Subcommand {
     }
     if (moved.coordinates.dimension() == 3 && !pivot_.empty() && axis_.empty())
       throw UsageError("--pivot: a rotation in space needs --axis X Y Z");
+    const std::vector<MovingBody> bodies = bodies_in(state, files);
     DeformCommand deform;
     deform.markers = markers_;
+    for (const MovingBody& body : bodies)
+      deform.markers.insert(deform.markers.end(), body.markers.begin(), body.markers.end());
     deform.smooth = smooth_;
-    Command command = deform;
-    expand_groups(command, files);
-    check_markers({command}, *state.mesh.topology, reference_);
-    auto& named = std::get<DeformCommand>(command);
+    std::vector<Command> commands = holding_layers(held_, smooth_, deform);
+    for (Command& command : commands) expand_groups(command, files);
+    check_markers(commands, *state.mesh.topology, reference_);
+    auto& named = std::get<DeformCommand>(commands.back());
     named.shape = positions(moved, named.markers);
     const std::vector<std::string> markers = named.markers;
-    std::vector<ZoneRun> zones = share_out(std::move(files), {command}, reference_);
-    Prepared out{std::move(state), std::move(moved), ResolvedCommand(SmoothCommand{}), markers,
-                 add_file_defaults(zones, config_)};
-    out.command =
-        io::resolve_files(*zones.front().commands.front(), zones.front().source.details.get());
+    std::vector<ZoneRun> zones = share_out(std::move(files), commands, reference_);
+    Prepared out{std::move(state), std::move(moved), ResolvedCommand(SmoothCommand{}),
+                 markers,          bodies,           add_file_defaults(zones, config_)};
+    const ZoneRun& zone = zones.front();
+    if (!held_.empty()) out.state = execute(*zone.commands.front(), out.state).state;
+    out.command = io::resolve_files(*zone.commands.back(), zone.source.details.get());
     return out;
+  }
+
+  /// The bodies of --body with all of their markers, and with their pivots.
+  std::vector<MovingBody> bodies_in(const MeshState& state,
+                                    const std::vector<io::MeshFile>& files) const {
+    if (bodies_.empty()) return {};
+    MoveCommand move;
+    move.bodies = bodies_;
+    Command command = move;
+    expand_groups(command, files);
+    check_markers({command}, *state.mesh.topology, reference_);
+    const MeshState* states[] = {&state};
+    return std::get<MoveCommand>(with_pivot(std::move(command), states)).bodies;
   }
 
   static PositionTable positions(const Mesh& moved, const std::vector<std::string>& markers) {
@@ -211,30 +250,57 @@ class SensitivitySubcommand : public Subcommand {
               << " nodes of the boundary, " << sensitivity.solver()
               << formatted("; frozen: knee %.4g", frozen.knee * frozen.knee_raised);
     if (frozen.stuck_nodes > 0) std::cout << ", " << frozen.stuck_nodes << " nodes held at folds";
+    if (frozen.heights > 0)
+      std::cout << ", corrections of " << frozen.heights << " heights of layers";
     std::cout << '\n';
-    if (!pivot_.empty() && !transpose_.empty()) print_parameters(prepared, product);
+    if (!transpose_.empty()) print_parameters(prepared, product);
     std::cout << "Wrote " << printable(output_) << '\n';
   }
 
   void print_parameters(const Prepared& prepared, const Coordinates& on_boundary) const {
-    MovingBody body;
-    body.markers = prepared.markers;
-    body.motion.pivot = GivenVector(pivot_[0], pivot_[1], pivot_.size() > 2 ? pivot_[2] : 0);
-    if (!axis_.empty()) body.motion.axis = Vec3(axis_[0], axis_[1], axis_[2]);
-    if (on_boundary.dimension() == 2) body.motion.pivot = GivenVector(pivot_[0], pivot_[1]);
+    for (const MovingBody& body : prepared.bodies)
+      print_by_motion(prepared.moved, body, body.markers.front() + ": ", on_boundary);
+    if (!pivot_.empty()) {
+      MovingBody body;
+      body.markers = prepared.markers;
+      body.motion.pivot = GivenVector(pivot_[0], pivot_[1], pivot_.size() > 2 ? pivot_[2] : 0);
+      if (!axis_.empty()) body.motion.axis = Vec3(axis_[0], axis_[1], axis_[2]);
+      if (on_boundary.dimension() == 2) body.motion.pivot = GivenVector(pivot_[0], pivot_[1]);
+      print_by_motion(prepared.moved, body, "", on_boundary);
+    }
+    if (sine_flag_->count() == 0) return;
+    const Mesh& rest = prepared.state.mesh;
+    const auto by = [&](SineParameter parameter) {
+      return scalar_product(on_boundary, sine_velocities(*rest.topology, rest.coordinates,
+                                                         prepared.markers, sine_, parameter));
+    };
+    print_derivative("", "amplitude", by(SineParameter::amplitude));
+    print_derivative("", "number of periods", by(SineParameter::waves));
+  }
+
+  static void print_derivative(const std::string& whose, const char* name, double value) {
+    std::cout << formatted("  %sby the %-18s %.10g\n", printable(whose).c_str(), name, value);
+  }
+
+  static void print_by_motion(const Mesh& moved, const MovingBody& body, const std::string& whose,
+                              const Coordinates& on_boundary) {
     constexpr std::array names{"angle, per degree", "shift along x", "shift along y",
                                "shift along z"};
     for (int k = 0; k <= on_boundary.dimension(); ++k) {
+      // A body that is only shifted has no axis.
+      if (k == 0 && on_boundary.dimension() == 3 && !body.motion.axis) continue;
       const auto parameter = static_cast<MotionParameter>(k);
-      const double by =
-          scalar_product(on_boundary, parameter_velocities(prepared.moved, body, parameter));
-      std::cout << formatted("  by the %-18s %.10g\n", names[at(k)], by);
+      print_derivative(whose, names[at(k)],
+                       scalar_product(on_boundary, parameter_velocities(moved, body, parameter)));
     }
   }
 
   std::string input_, reference_, transpose_, forward_, output_, config_;
-  std::vector<std::string> markers_;
+  std::vector<std::string> markers_, held_;
   std::vector<double> pivot_, axis_;
+  std::vector<MovingBody> bodies_;
+  SineDeformation sine_;
+  CLI::Option* sine_flag_ = nullptr;
   SmoothOptions smooth_;
   io::ReadOptions reading_;
   bool quiet_ = false;

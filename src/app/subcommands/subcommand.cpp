@@ -135,16 +135,7 @@ class DeformSubcommand : public EditSubcommand<DeformCommand> {
  private:
   void add_shape_flags() {
     FlagGroup group(app(), "Shape");
-    sine_flag_ = app()
-                     .add_option_function<std::array<double, 2>>(
-                         "--sine",
-                         [this](const std::array<double, 2>& v) {
-                           sine_.amplitude = v[0];
-                           sine_.waves = v[1];
-                         },
-                         "Add a sine wave along the body: amplitude, number of periods")
-                     ->type_name("AMPLITUDE WAVES")
-                     ->group("Shape");
+    sine_flag_ = add_sine_flags(app(), sine_);
     ways_flag_ = group.value("--displacements", table_, "FILE.csv",
                              "How far single nodes move, on the boundary or inside: CSV of "
                              "node,dx,dy (0-based node) or x,y,dx,dy; "
@@ -153,12 +144,6 @@ class DeformSubcommand : public EditSubcommand<DeformCommand> {
     positions_flag_ = group.value("--positions", table_, "FILE.csv",
                                   "Where single nodes are afterwards: CSV of node,x,y (0-based "
                                   "node), of volume meshes node,x,y,z");
-    const OptionTable options = option_table(sine_);
-    add_option_flags(app(), options, "Shape");
-    for (const Option& option : options) {
-      if (option.on_command_line == OnCommandLine::yes)
-        app().get_option(flag_of(option))->needs(sine_flag_);
-    }
   }
 
   SineDeformation sine_;

@@ -226,12 +226,12 @@ CommandResult run_motion(const MeshState& state, const Motion& motion, const Bod
   require_sound(how, smooth);
   RunOptions run = options;
   run.bodies = &bodies;
-  const bool holds_layers = state.layers && state.layers->held;
-  if (how.smooth_after && (holds_layers || !state.held_walls.empty())) {
+  if (how.smooth_after && holds_layers(state)) {
     CommandResult result{state, {}};
     result.state.reference = reference_of(state);
-    result.smooth = (holds_layers ? move_with_layers : move_with_held_walls)(result.state, motion,
-                                                                             how, smooth, run);
+    const bool plane = state.mesh.topology->kind() != MeshKind::volume;
+    result.smooth =
+        (plane ? move_with_layers : move_with_held_walls)(result.state, motion, how, smooth, run);
     return result;
   }
   Coordinates x = starting_point(state, options);
@@ -535,7 +535,11 @@ CommandResult execute(const ResolvedCommand& resolved, const MeshState& state,
 }
 
 MotionEquations equations_of(const ResolvedCommand& resolved, const MeshState& state,
-                             const Coordinates& start, const RunOptions& given) {
+                             const CommandResult& moved, const RunOptions& given) {
+  const Coordinates& start = moved.state.mesh.coordinates;
+  if (moved.state.mesh.topology != state.mesh.topology || !start.alike(state.mesh.coordinates))
+    throw UsageError(
+        "the moved mesh is not of the nodes and elements of the mesh before the motion");
   RunOptions options = given;
   options.files = resolved.files();
   options.start = &start;
@@ -543,6 +547,10 @@ MotionEquations equations_of(const ResolvedCommand& resolved, const MeshState& s
   const LinearCheckpoint checkpoint([monitor = options.monitor] {
     if (monitor && monitor->cancelled()) throw Cancelled();
   });
+  if (is_surface(*state.mesh.topology))
+    throw UsageError(
+        "what a mesh depends on is known for plane and volume meshes, and this is a surface mesh: "
+        "no motion moves its boundary");
   require_dimension(command, state);
   MotionEquations equations;
   const auto prepare = [&](const Command& local, const MeshState& from, const RunOptions& how) {
@@ -550,15 +558,19 @@ MotionEquations equations_of(const ResolvedCommand& resolved, const MeshState& s
         [&](const auto& c) {
           if constexpr (requires { c.how; }) {
             require_sound(c.how, c.smooth);
-            if (from.layers && from.layers->held)
-              throw UsageError("what a mesh with held layers depends on is not known yet");
-            if (!from.held_walls.empty())
-              throw UsageError("what a mesh with held layers depends on is not known yet");
+            if (!c.how.smooth_after)
+              throw UsageError(std::string(c.name) +
+                               ": only the boundary moves, so the interior depends on nothing");
             const auto motion = motion_of(c, from);
             const BodyNodes bodies = bodies_of(c, *motion, from);
             RunOptions run = how;
             run.bodies = &bodies;
-            equations = solve_at_end(from, *motion, c.smooth, *how.start, run);
+            // Held layers: as the last correction of their heights left them.
+            MeshState corrected = from;
+            corrected.vcvs = moved.state.vcvs;
+            corrected.roles = moved.state.roles;
+            if (moved.smooth.layers_held) run.layer_factors = &moved.smooth.layers_held->factors;
+            equations = solve_at_end(corrected, *motion, c.smooth, *how.start, run);
           } else {
             throw UsageError(std::string(c.name) + ": no motion, so the mesh depends on nothing");
           }

@@ -17,9 +17,10 @@ CommandResult carry_out_in(const LocalFrame& frame, const Command& command, cons
                            const RunOptions& options, const CarryOut& carry_out);
 
 /// The equations of which the result of a motion is the solution, in coordinates near the mesh. For
-/// MeshSensitivity. start: the result, or a mesh near it. Throws UsageError for a command that is
-/// no motion or does not smooth, and what execute() throws.
+/// MeshSensitivity. moved: the result of the motion. Its mesh may be any mesh near that; held
+/// layers keep the corrections that it has. Throws UsageError for a command that is no motion or
+/// does not smooth, for a result with other nodes or elements, and what execute() throws.
 MotionEquations equations_of(const ResolvedCommand& command, const MeshState& state,
-                             const Coordinates& start, const RunOptions& options);
+                             const CommandResult& moved, const RunOptions& options);
 
 }  // namespace winslow

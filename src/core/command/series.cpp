@@ -391,8 +391,7 @@ bool starts_at_neighbours(const Series& series, const MeshState& state) {
   return follows_path(series.how, smooth) && !series.how.floor.given() &&
          smooth.formulation == Formulation::variational &&
          smooth.targets.or_else(TargetBlend::keeping()).keep > 0 && !smooth.raise_worst &&
-         !(state.layers && state.layers->held) && state.held_walls.empty() &&
-         smooth.slide.reference.empty() &&
+         !holds_layers(state) && smooth.slide.reference.empty() &&
          check_validity(*mesh.topology, mesh.coordinates, smooth.threads).inverted == 0;
 }
 

@@ -25,6 +25,12 @@ class ImageMotion final : public Motion {
   std::span<const Index> nodes() const override { return nodes_; }
   bool moves() const override { return motion_.moves(); }
   std::span<const std::unique_ptr<Motion>> bodies() const override { return motion_.bodies(); }
+  std::vector<TakenNode> taken(const Coordinates& x) const override {
+    std::vector<TakenNode> all = motion_.taken(x);
+    for (const auto& [node, leader, rotation] : followers_)
+      all.push_back({node, {{leader, rotation}}});
+    return all;
+  }
   void apply(const Coordinates& rest, double fraction, Coordinates& out) const override {
     motion_.apply(rest, fraction, out);
     for (const auto& [node, leader, rotation] : followers_) {

@@ -301,9 +301,10 @@ std::pair<Vec2, Vec2> directions_of<2>(const SineDeformation& options) {
   return {direction, Vec2(direction.y(), -direction.x())};
 }
 
-template <int D>
-std::unique_ptr<Motion> sine_motion(std::vector<Index> nodes, const Coordinates& rest,
-                                    const SineDeformation& options) {
+/// Displacements of nodes: wave(s) along the direction, faded.
+template <int D, typename Wave>
+std::vector<Vec<D>> ways_by(const Wave& wave, std::span<const Index> nodes, const Coordinates& rest,
+                            const SineDeformation& options) {
   const auto [direction, along] = directions_of<D>(options);
   double low = along.dot(rest.get<D>(nodes.front())), high = low;
   for (const Index node : nodes) {
@@ -311,15 +312,22 @@ std::unique_ptr<Motion> sine_motion(std::vector<Index> nodes, const Coordinates&
     high = std::max(high, along.dot(rest.get<D>(node)));
   }
   if (!(high > low)) throw UsageError("the chosen markers have no extent across the direction");
-  std::vector<Vec<D>> displacements;
-  displacements.reserve(nodes.size());
+  std::vector<Vec<D>> ways;
+  ways.reserve(nodes.size());
   for (const Index node : nodes) {
     const double s = (along.dot(rest.get<D>(node)) - low) / (high - low);
-    const double height =
-        options.amplitude * fade_factor(options, s) * std::sin(2 * pi * options.waves * s);
-    displacements.emplace_back(height * direction);
+    ways.emplace_back(fade_factor(options, s) * wave(s) * direction);
   }
-  return straight_motion<D>(std::move(nodes), std::move(displacements));
+  return ways;
+}
+
+void validate(const SineDeformation& options) {
+  require_finite(options.amplitude, "the amplitude");
+  require_finite(options.waves, "the number of waves");
+  require_finite(options.direction.sum(), "the direction");
+  if (options.direction.norm() == 0) throw UsageError("the direction of the sine is zero");
+  if (!(options.fade_length > 0 && options.fade_length <= 0.5))
+    throw UsageError("the fade length is not in (0, 0.5]");
 }
 
 }  // namespace
@@ -338,13 +346,31 @@ std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates&
                                     const std::vector<std::string>& markers,
                                     const SineDeformation& options) {
   return in_dimension(topology, "sine deformations", [&](auto dim) {
-    require_finite(options.amplitude, "the amplitude");
-    require_finite(options.waves, "the number of waves");
-    require_finite(options.direction.sum(), "the direction");
-    if (options.direction.norm() == 0) throw UsageError("the direction of the sine is zero");
-    if (!(options.fade_length > 0 && options.fade_length <= 0.5))
-      throw UsageError("the fade length is not in (0, 0.5]");
-    return sine_motion<dim()>(moving_nodes(topology, markers), rest, options);
+    validate(options);
+    std::vector<Index> nodes = moving_nodes(topology, markers);
+    const auto wave = [&](double s) {
+      return options.amplitude * std::sin(2 * pi * options.waves * s);
+    };
+    std::vector<Vec<dim()>> ways = ways_by<dim()>(wave, nodes, rest, options);
+    return straight_motion<dim()>(std::move(nodes), std::move(ways));
+  });
+}
+
+Coordinates sine_velocities(const Topology& topology, const Coordinates& rest,
+                            const std::vector<std::string>& markers, const SineDeformation& options,
+                            SineParameter parameter) {
+  return in_dimension(topology, "sine deformations", [&](auto dim) {
+    validate(options);
+    const std::vector<Index> nodes = moving_nodes(topology, markers);
+    const auto slope = [&](double s) {
+      const double phase = 2 * pi * options.waves * s;
+      if (parameter == SineParameter::amplitude) return std::sin(phase);
+      return options.amplitude * 2 * pi * s * std::cos(phase);
+    };
+    const std::vector<Vec<dim()>> ways = ways_by<dim()>(slope, nodes, rest, options);
+    Coordinates out(rest.dimension(), rest.size());
+    for (std::size_t k = 0; k < nodes.size(); ++k) out.set<dim()>(nodes[k], ways[k]);
+    return out;
   });
 }
 

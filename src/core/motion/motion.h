@@ -7,6 +7,18 @@
 
 namespace winslow {
 
+/// A node that a motion takes along with other nodes: an image across periodic sides, a node
+/// between the ends of a row. If the leaders move by d_i, the node moves by the sum of map_i d_i,
+/// to first order.
+struct TakenNode {
+  struct Leader {
+    Index node;
+    Eigen::Matrix3d map;
+  };
+  Index node = -1;
+  std::vector<Leader> leaders = {};
+};
+
 /// A prescribed motion of nodes, on the boundary or inside.
 class Motion {
  public:
@@ -20,6 +32,9 @@ class Motion {
   virtual bool moves() const { return true; }
   /// The motion of the bodies alone, without nodes between them that move along.
   virtual const Motion& of_bodies() const { return *this; }
+  /// Those of nodes() that go along with others, at the mesh x at the end of the motion. Leaders
+  /// that are taken themselves come first.
+  virtual std::vector<TakenNode> taken(const Coordinates& /*x*/) const { return {}; }
   /// The motion if all nodes move as one rigid body: complete, see resolve_motion(). Null: they do
   /// not.
   virtual const RigidMotion* rigid() const { return nullptr; }
@@ -66,6 +81,14 @@ std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates&
 std::unique_ptr<Motion> make_motion(const Topology& topology, const Coordinates& rest,
                                     const std::vector<std::string>& markers,
                                     const SineDeformation& options);
+/// A number of a SineDeformation.
+enum class SineParameter { amplitude, waves };
+
+/// The velocities of the nodes of the markers (#nodes by 2 or 3; zero at all others) per unit of a
+/// number of the deformation. rest, and what it throws: as of make_motion().
+Coordinates sine_velocities(const Topology& topology, const Coordinates& rest,
+                            const std::vector<std::string>& markers, const SineDeformation& options,
+                            SineParameter parameter);
 /// Moves nodes in straight lines. nodes: ascending. ways: how far each of them moves. ends: where
 /// each is after the whole motion, to the bit; empty: where its way ends.
 template <int D>

@@ -2,22 +2,53 @@
 
 #include "core/command/local_command.h"
 #include "core/error.h"
+#include "core/sensitivity/layer_response.h"
 #include "core/sensitivity/target_response.h"
 #include "core/strategy/workspace.h"
 
 namespace winslow {
 
+namespace {
+
+/// The result of a motion by its mesh. The corrections of held layers are found by the motion.
+CommandResult result_at(const MeshState& state, const ResolvedCommand& motion,
+                        const Coordinates& moved, const RunOptions& options) {
+  CommandResult result{state, {}};
+  if (holds_layers(state)) {
+    RunOptions run = options;
+    run.start = &moved;
+    result = execute(motion, state, run);
+  }
+  result.state.mesh.coordinates = moved;
+  return result;
+}
+
+/// The number of heights that the result holds.
+Index held_heights(const CommandResult& result) {
+  if (result.smooth.layers_held) return result.smooth.layers_held->heights;
+  const auto& layers = result.state.layers;
+  std::size_t heights = 0;
+  if (layers && layers->held)
+    for (const LayerColumn& column : layers->columns) heights += column.count();
+  return static_cast<Index>(heights);
+}
+
+}  // namespace
+
 class MeshSensitivity::Impl {
  public:
-  Impl(const MeshState& state, const ResolvedCommand& motion, const Coordinates& moved,
+  Impl(const MeshState& state, const ResolvedCommand& motion, const CommandResult& result,
        const RunOptions& options)
-      : equations_(equations_of(motion, state, moved, options)) {
+      : equations_(equations_of(motion, state, result, options)), heights_(held_heights(result)) {
+    const Coordinates& moved = result.state.mesh.coordinates;
     require_solution();
     const Topology& topology = equations_.classes->topology();
+    std::vector<bool> taken(at(topology.node_count()), false);
+    for (const TakenNode& node : equations_.taken) taken[at(node.node)] = true;
     for (Index node = 0; node < topology.node_count(); ++node)
-      if (!equations_.classes->moves(node)) boundary_.push_back(node);
-    require_free_rows();
+      if (!equations_.classes->moves(node) && !taken[at(node)]) boundary_.push_back(node);
     prepare_targets(topology);
+    if (result.state.vcvs != state.vcvs) prepare_layers(result.state);
     prepare_solver();
     // The equations are in coordinates near the mesh.
     mesh_ = LocalFrame(state.mesh).to_mesh(equations_.solution, moved);
@@ -32,8 +63,14 @@ class MeshSensitivity::Impl {
     require_alike(given);
     Coordinates out(mesh_.dimension(), mesh_.size());
     for (const Index node : boundary_) out.copy_node(node, given);
+    for (const auto& [node, leaders] : equations_.taken) {
+      Vec3 velocity = Vec3::Zero();
+      for (const auto& [leader, map] : leaders) velocity += map * place_of(out, leader);
+      set_place(out, node, velocity);
+    }
     Coordinates forces = form().hessian_product(equations_.solution, out);
     if (targets_) targets_->add_forces(out, forces);
+    if (layers_) layers_->add_forces(out, forces);
     std::vector<double> rhs(form().unknowns());
     form().velocities_transpose(equations_.solution, forces, rhs);
     for (double& value : rhs) value = -value;
@@ -49,15 +86,27 @@ class MeshSensitivity::Impl {
     form().velocities(equations_.solution, solve(rhs), multipliers);
     Coordinates response = form().hessian_product(equations_.solution, multipliers);
     if (targets_) targets_->add_transpose(multipliers, response);
+    if (layers_) layers_->add_transpose(multipliers, response);
     Coordinates out(mesh_.dimension(), mesh_.size());
-    for (const Index node : boundary_)
-      set_place(out, node, place_of(function, node) - place_of(response, node));
+    const auto add = [&](Index node, const Vec3& more) {
+      set_place(out, node, place_of(out, node) + more);
+    };
+    const auto add_own = [&](Index node) {
+      add(node, place_of(function, node) - place_of(response, node));
+    };
+    for (const Index node : boundary_) add_own(node);
+    for (const TakenNode& taken : equations_.taken) add_own(taken.node);
+    for (auto taken = equations_.taken.rbegin(); taken != equations_.taken.rend(); ++taken) {
+      const Vec3 of_node = place_of(out, taken->node);
+      set_place(out, taken->node, Vec3::Zero());
+      for (const auto& [leader, map] : taken->leaders) add(leader, map.transpose() * of_node);
+    }
     return out;
   }
 
   Frozen frozen() const {
     const PenaltyOptions& penalty = form().penalty();
-    return {penalty.knee, penalty.raise, form().stuck_nodes()};
+    return {penalty.knee, penalty.raise, form().stuck_nodes(), heights_};
   }
   std::string solver() const {
     const std::lock_guard lock(mutex_);
@@ -78,17 +127,6 @@ class MeshSensitivity::Impl {
         "the mesh is no solution of its equations, and none was found near it (residual " +
         std::string(residual) +
         "): its derivative is not defined. Expected the converged result of the motion");
-  }
-  /// Rows of nodes along a curve follow their ends: a prescribed end would have to take them along.
-  void require_free_rows() const {
-    const NodeClasses& classes = *equations_.classes;
-    for (const auto& row : classes.tied().rows())
-      for (const Index end : {row->first(), row->last()})
-        if (classes[end] == NodeClass::prescribed)
-          throw UsageError("node " + std::to_string(end) +
-                           " is the end of a row of nodes whose spacing is held, and it is moved: "
-                           "the derivative of such rows is not known. Expected "
-                           "slide.spacing = free");
   }
   /// Refuses a boundary that lies elsewhere in the moved mesh, and finds distance().
   void compare(const Topology& topology, const Coordinates& moved) {
@@ -123,12 +161,23 @@ class MeshSensitivity::Impl {
   void prepare_targets(const Topology& topology) {
     SmoothingWorkspace& workspace = *equations_.workspace;
     if (!(workspace.options().targets.keep > 0)) return;
-    WallStretchDerivative walls(*equations_.classes, equations_.reference, equations_.solution, {});
+    WallStretchDerivative walls(*equations_.classes, equations_.reference, equations_.solution,
+                                equations_.layer_factors);
     const auto with_stretch = [&](std::shared_ptr<const WallStretch> stretch) {
       return workspace.energy_with(std::move(stretch));
     };
     targets_ =
         target_response(form(), std::move(walls), with_stretch, topology, equations_.solution);
+  }
+  /// The VCVs of held layers were made anew after the motion.
+  void prepare_layers(const MeshState& result) {
+    const SmoothOptions& options = equations_.workspace->options();
+    const auto* plane = dynamic_cast<const VariationalWinslow*>(&form());
+    if (!plane || !result.layers || !result.layers->held) return;
+    layers_ = layer_response(
+        *plane,
+        {result, options.targets, *equations_.classes, equations_.reference, options.threads},
+        equations_.solution);
   }
   void prepare_solver() {
     const SmoothOptions& options = equations_.workspace->options();
@@ -155,18 +204,23 @@ class MeshSensitivity::Impl {
   }
 
   MotionEquations equations_;
+  Index heights_;
   std::vector<Index> boundary_;
   Coordinates mesh_;
   double distance_ = 0;
-  std::unique_ptr<const TargetResponse> targets_;  // null: the targets do not depend on walls
+  // Null: the targets do not depend on walls, by their stretch and by VCVs of layers.
+  std::unique_ptr<const TargetResponse> targets_, layers_;
   SparseMatrix hessian_;
   mutable std::mutex mutex_;  // of the solver
   std::unique_ptr<LinearSolver> linear_;
 };
 
 MeshSensitivity::MeshSensitivity(const MeshState& state, const ResolvedCommand& motion,
-                                 const Coordinates& moved, const RunOptions& options)
+                                 const CommandResult& moved, const RunOptions& options)
     : impl_(std::make_unique<const Impl>(state, motion, moved, options)) {}
+MeshSensitivity::MeshSensitivity(const MeshState& state, const ResolvedCommand& motion,
+                                 const Coordinates& moved, const RunOptions& options)
+    : MeshSensitivity(state, motion, result_at(state, motion, moved, options), options) {}
 MeshSensitivity::~MeshSensitivity() = default;
 MeshSensitivity::MeshSensitivity(MeshSensitivity&&) noexcept = default;
 MeshSensitivity& MeshSensitivity::operator=(MeshSensitivity&&) noexcept = default;

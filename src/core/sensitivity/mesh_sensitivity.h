@@ -6,7 +6,7 @@
 /// the nodes of its boundary.
 ///
 ///     const winslow::CommandResult moved = winslow::execute(move, state);
-///     const winslow::MeshSensitivity sensitivity(state, move, moved.state.mesh.coordinates);
+///     const winslow::MeshSensitivity sensitivity(state, move, moved);
 ///     const winslow::Coordinates on_boundary = sensitivity.transpose(derivative_by_nodes);
 namespace winslow {
 
@@ -24,19 +24,24 @@ namespace winslow {
 /// derivative: the equations are first solved to 1e-10.
 ///
 /// WHAT IS FROZEN at the mesh: the penalty (its knee may have been raised), the weights of
-/// deliberately stretched elements where these are clipped, the elements over a wall, and the nodes
-/// that are held at folds of a surface: frozen(). What changes with the boundary is differentiated:
-/// the places of nodes that slide, images across periodic sides, and the targets over stretched
-/// walls.
+/// deliberately stretched elements where these are clipped, the elements over a wall, the nodes
+/// that are held at folds of a surface, and the corrections of the heights of held layers. frozen()
+/// has the numbers. What changes with the boundary is differentiated: the places of nodes that
+/// slide, images across periodic sides, rows of nodes between ends that the motion takes, the
+/// targets over stretched walls, and those VCVs of held layers that were corrected.
 ///
 /// Immutable; calls at once from several threads are allowed.
 class MeshSensitivity {
  public:
-  /// state: the mesh before the motion. motion: a MoveCommand or DeformCommand. moved: the mesh
-  /// that it gave (#nodes). options: threads and cancelling (monitor). Throws UsageError for other
-  /// commands, options that minimise no energy, held layers, and a boundary that lies elsewhere in
-  /// `moved` than the motion takes it; NumericError if no minimum is found near `moved`; and what
-  /// execute() throws.
+  /// state: the mesh before the motion. motion: a MoveCommand or DeformCommand. moved: what it
+  /// gave. options: threads and cancelling (monitor). Throws UsageError for other commands, options
+  /// that minimise no energy, surface meshes, and a boundary that lies elsewhere in `moved` than
+  /// the motion takes it; NumericError if no minimum is found near `moved`; and what execute()
+  /// throws.
+  MeshSensitivity(const MeshState& state, const ResolvedCommand& motion, const CommandResult& moved,
+                  const RunOptions& options = {});
+  /// The same for the coordinates of the result alone (#nodes). If the state holds layers, the
+  /// motion is carried out from there to find the corrections of the heights.
   MeshSensitivity(const MeshState& state, const ResolvedCommand& motion, const Coordinates& moved,
                   const RunOptions& options = {});
   ~MeshSensitivity();
@@ -48,7 +53,8 @@ class MeshSensitivity {
   /// How far a node of mesh() is from its place in `moved` at most, as a share of the mean length
   /// of its edges. More than about .01: the motion was not converged, or had other options.
   double distance() const;
-  /// The nodes without unknowns, ascending: B. All other nodes depend on these.
+  /// The nodes without unknowns that are taken along by no others, ascending: B. All other nodes
+  /// depend on these.
   const std::vector<Index>& boundary() const;
 
   /// dX/dB dB: the velocities of all nodes (#nodes by 2 or 3) if those of boundary() move at the
@@ -64,6 +70,7 @@ class MeshSensitivity {
     double knee = 0;         ///< of the penalty
     double knee_raised = 1;  ///< by this factor
     Index stuck_nodes = 0;   ///< held at folds of what they slide on
+    Index heights = 0;       ///< of held layers, whose corrections are constant
   };
   Frozen frozen() const;
   /// A description of the linear solver.
@@ -79,6 +86,9 @@ class MeshSensitivity {
 ///     const auto on_boundary = sensitivity.transpose(derivative_by_nodes);
 ///     const auto turn = winslow::parameter_velocities(mesh, body, MotionParameter::rotate);
 ///     const double by_degree = winslow::scalar_product(on_boundary, turn);
+///
+/// Each body of a motion has velocities of its own. Those by the numbers of a SineDeformation:
+/// sine_velocities().
 
 /// A number of a RigidMotion.
 enum class MotionParameter { rotate, translate_x, translate_y, translate_z };

@@ -32,8 +32,10 @@ class HeldHeights {
     for (const LayerEdge& edge : edges_)
       factors_[at(edge.upper)] *= std::clamp(1 / ratio(edge, x), 1 / most, most);
   }
+  /// Returns to earlier factors().
+  void restore(const std::vector<double>& factors) { factors_ = factors; }
   LayersHeld report(const Coordinates& x) const {
-    return {static_cast<Index>(edges_.size()), error(x)};
+    return {static_cast<Index>(edges_.size()), error(x), factors_};
   }
 
  private:
@@ -62,6 +64,7 @@ void correct_heights(const MeshState& state, const Motion& motion, const SmoothO
   const double least_sine = worth_keeping * smallest_sine(x);
   double error = heights.error(x);
   for (int round = 0; round < rounds && error > tolerance; ++round) {
+    const std::vector<double> uncorrected = heights.factors();
     heights.correct(x);
     RunSequence runs(run, result);
     const SmoothResult before = result;
@@ -72,6 +75,7 @@ void correct_heights(const MeshState& state, const Motion& motion, const SmoothO
                       now < error && smallest_sine(corrected) >= least_sine;
     if (!good) {
       runs.fall_back_to(before);
+      heights.restore(uncorrected);
       break;
     }
     const bool worthwhile = now < 0.9 * error;
@@ -117,11 +121,13 @@ SmoothResult move_with_held_walls(MeshState& state, const Motion& motion, const 
   if (result.converged && result.inverted == 0 && result.fraction_reached >= 1) {
     const Coordinates moved = x;
     const SmoothResult before = result;
+    const std::vector<double> uncorrected = heights.factors();
     correct_heights(state, motion, smooth, own, heights, result, x);
     // Better heights do not justify a mesh outside the limits.
     if (how.floor.given() &&
         !how.floor.fault({state.mesh.topology, x}, state.mesh.coordinates).empty()) {
       runs.fall_back_to(before);
+      heights.restore(uncorrected);
       x = moved;
     }
   }

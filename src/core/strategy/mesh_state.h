@@ -69,6 +69,10 @@ inline std::shared_ptr<const Coordinates> reference_of(const MeshState& state) {
   return state.reference ? state.reference
                          : std::make_shared<const Coordinates>(state.mesh.coordinates);
 }
+/// Whether every motion of the state holds the heights of layers.
+inline bool holds_layers(const MeshState& state) {
+  return (state.layers && state.layers->held) || !state.held_walls.empty();
+}
 /// The state with another reference mesh, e.g. the mesh before the first of several runs from file
 /// to file. A mesh with polyhedra or polygons gets the topology of the reference mesh, which says
 /// what corners are flat, if their markers and regions are the same. Throws UsageError, naming the

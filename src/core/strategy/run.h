@@ -162,6 +162,10 @@ struct RunOutcome {
 struct LayersHeld {
   Index heights = 0;  ///< number of them: edges up the columns of layers
   double error = 0;   ///< largest |height / height in the reference mesh - 1|
+  /// The factors of the heights in the targets of the result (WallStretch::find()): corrections,
+  /// by the upper node of each edge (#nodes; 0: no height is held there). RunOptions::layer_factors
+  /// with these repeats the run without corrections.
+  std::vector<double> factors = {};
 };
 
 /// Internal faces of a volume mesh with polyhedra that lean by more than checkMesh of OpenFOAM

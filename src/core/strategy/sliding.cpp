@@ -70,6 +70,21 @@ class RowMotion final : public Motion {
         set_place(out, row->between()[k], places.between[k].point);
     }
   }
+  std::vector<TakenNode> taken(const Coordinates& x) const override {
+    std::vector<TakenNode> all = motion_.taken(x);
+    for (const auto& row : rows_) {
+      // The ends stay on the curve.
+      const auto places = row->places(place_of(x, row->first()), place_of(x, row->last()));
+      for (std::size_t k = 0; k < places.between.size(); ++k) {
+        const double part = row->part_of_last(k);
+        const Vec3& tangent = places.between[k].tangent;
+        all.push_back({row->between()[k],
+                       {{row->first(), (1 - part) * tangent * places.first.tangent.transpose()},
+                        {row->last(), part * tangent * places.last.tangent.transpose()}}});
+      }
+    }
+    return all;
+  }
 
  private:
   const Motion& motion_;

@@ -506,7 +506,10 @@ MotionEquations solve_at_end(const MeshState& state, const Motion& motion,
                     wall_stretch(state, out.classes, options, &bodies, run, workspace));
   Coordinates& x = out.solution = state.mesh.coordinates;
   const auto with_held_rows = rows.empty() ? nullptr : with_rows(bodies, rows);
-  (with_held_rows ? *with_held_rows : bodies).apply(state.mesh.coordinates, 1, x);
+  const Motion& complete = with_held_rows ? *with_held_rows : bodies;
+  complete.apply(state.mesh.coordinates, 1, x);
+  out.taken = complete.taken(x);
+  if (run.layer_factors) out.layer_factors = *run.layer_factors;
   x = unknowns_within(*out.classes, start, std::move(x));
   const auto energy = workspace.energy();
   energy->advance(std::vector<double>(energy->unknowns(), 0.0), 0, x);  // onto curves, surfaces

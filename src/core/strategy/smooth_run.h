@@ -24,6 +24,8 @@ struct MotionEquations {
   std::shared_ptr<SmoothingWorkspace> workspace;  ///< prepared; the form refers to it
   std::shared_ptr<const VariationalForm> form;    ///< with the penalty at the solution
   std::shared_ptr<const NodeClasses> classes;
+  std::vector<TakenNode> taken;       ///< by the motion, at the solution
+  std::vector<double> layer_factors;  ///< RunOptions::layer_factors; empty: none
   Coordinates reference, solution;
   SmoothResult result;
 };

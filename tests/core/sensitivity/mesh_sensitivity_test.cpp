@@ -1,15 +1,12 @@
 #include "core/sensitivity/mesh_sensitivity.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
 #include "core/error.h"
 #include "core/motion/node_table.h"
 #include "support/layered_meshes.h"
 #include "support/meshes.h"
 #include "support/periodic_meshes.h"
 #include "support/polygon_meshes.h"
+#include "support/sensitivities.h"
 #include "support/space_meshes.h"
 
 namespace winslow::test {
@@ -23,12 +20,6 @@ struct Case {
   SmoothOptions smooth = {};
   double size = 0.03;  ///< of the displacements
 };
-
-/// A smooth field of displacements, of about unit size.
-Vec3 wave(const Vec3& p, double phase) {
-  return {std::sin(3 * p.y() + phase) + 0.4 * p.x(), std::cos(2 * p.x() - phase) * 0.7,
-          std::sin(2.5 * p.x() + 1.5 * p.y() - 2 * p.z() + phase)};
-}
 
 std::vector<Index> nodes_of(const Case& of) {
   return of.state.mesh.topology->markers().nodes_of(std::span(&of.body, 1));
@@ -62,12 +53,6 @@ Coordinates moved_by(const Case& of, double more) {
   return result.state.mesh.coordinates;
 }
 
-Coordinates random_field(const Coordinates& like, Random& random) {
-  Coordinates out(like.dimension(), like.size());
-  for (double& value : out.values()) value = random.uniform(-1, 1);
-  return out;
-}
-
 /// Compares forward products with central differences of whole runs, and transposes with these.
 void check(const Case& of) {
   CAPTURE(of.name);
@@ -76,42 +61,12 @@ void check(const Case& of) {
   const Coordinates& rest = of.state.mesh.coordinates;
   Coordinates boundary(rest.dimension(), rest.size());
   for (const Index node : nodes_of(of)) set_place(boundary, node, wave(place_of(rest, node), 1.3));
-  const Coordinates found = sensitivity.forward(boundary);
-
-  // Two steps of Richardson's extrapolation: the error of the differences is of fourth order. The
-  // steps are short, because third derivatives jump where guards and weights set in.
-  const auto difference = [&](double step) {
-    Coordinates out = moved_by(of, step);
-    const Coordinates lower = moved_by(of, -step);
-    for (std::size_t i = 0; i < out.values().size(); ++i)
-      out.values()[i] = (out.values()[i] - lower.values()[i]) / (2 * step);
-    return out;
-  };
-  const double step = 1e-4 * of.size;
-  const Coordinates coarse = difference(2 * step), fine = difference(step);
-  double largest = 0, error = 0, moved = 0;
-  for (Index node = 0; node < rest.size(); ++node) {
-    const Vec3 expected = (4 * place_of(fine, node) - place_of(coarse, node)) / 3;
-    largest = std::max(largest, expected.norm());
-    error = std::max(error, (place_of(found, node) - expected).norm());
-    if (!of.state.mesh.topology->on_boundary(node)) moved = std::max(moved, expected.norm());
-  }
-  CHECK(moved > 0.1);
-  CHECK(error < 1e-6 * largest);
-
-  Random random(8);
-  const Coordinates function = random_field(rest, random), any = random_field(rest, random);
-  const Coordinates transposed = sensitivity.transpose(function);
-  Coordinates on_boundary(rest.dimension(), rest.size());
-  for (const Index node : sensitivity.boundary()) on_boundary.copy_node(node, any);
-  const double forward = scalar_product(function, sensitivity.forward(on_boundary));
-  CHECK(std::abs(scalar_product(transposed, on_boundary) - forward) <
-        1e-11 * std::sqrt(scalar_product(function, function) *
-                          scalar_product(on_boundary, on_boundary)));
-  // Nodes that are not of the boundary have no part in it.
-  Coordinates others = transposed;
-  for (const Index node : sensitivity.boundary()) set_place(others, node, Vec3::Zero());
-  CHECK(scalar_product(others, others) == 0);
+  // The steps are short, because third derivatives jump where guards and weights set in.
+  const Coordinates expected =
+      difference_of([&](double step) { return moved_by(of, step); }, 1e-4 * of.size);
+  CHECK(largest_inside(*of.state.mesh.topology, expected) > 0.1);
+  CHECK(error_of(sensitivity.forward(boundary), expected) < 1e-6);
+  check_transpose(sensitivity);
 }
 
 /// A cube with a cavity whose outside is a sphere.
