@@ -151,13 +151,12 @@ std::vector<const Coordinates*> nearest_meshes(std::span<const Coordinates* cons
   // Two meshes that are nearly the same would get large shares of opposite signs.
   constexpr double apart = 0.1;  // of the distance from the target
   std::vector<const Coordinates*> chosen;
-  for (const auto& [mesh, distance] : sorted) {
+  for (const Near& near : sorted) {
     if (chosen.size() == most) break;
-    const double least = apart * distance;
     const bool is_new = std::ranges::all_of(chosen, [&](const Coordinates* other) {
-      return differences(nodes, *other, *mesh).norm() > least;
+      return differences(nodes, *other, *near.mesh).norm() > apart * near.distance;
     });
-    if (is_new) chosen.push_back(mesh);
+    if (is_new) chosen.push_back(near.mesh);
   }
   return chosen;
 }

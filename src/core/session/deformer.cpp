@@ -98,7 +98,7 @@ CommandResult Deformer::step(double tolerance, SolverMonitor* monitor) {
     last_.insert(last_.begin(), std::make_shared<const Coordinates>(result.state.mesh.coordinates));
     if (last_.size() > most_kept) last_.resize(most_kept);
     bodies_ = bodies_of(command.command(), given_);
-    reached_ = command.command();
+    reached_ = std::make_shared<const Reached>(Reached{command, result});
     sensitivity_.reset();
   }
   return result;
@@ -119,8 +119,8 @@ const MeshSensitivity& Deformer::sensitivity() {
   if (!reached_)
     throw UsageError("the mesh has no motion yet whose derivative could be taken: call step()");
   if (!sensitivity_)
-    sensitivity_ = std::make_unique<const MeshSensitivity>(
-        given_, ResolvedCommand(*reached_, options_.files), *coordinates());
+    sensitivity_ =
+        std::make_unique<const MeshSensitivity>(given_, reached_->command, reached_->result);
   return *sensitivity_;
 }
 

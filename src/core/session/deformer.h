@@ -35,6 +35,13 @@ struct DeformerOptions {
 /// A deformer has no state outside itself. One call at a time; two deformers may work at once in
 /// two threads. A call that throws, Cancelled included, changes nothing.
 class Deformer {
+ private:
+  /// The motion of the present mesh, and its result.
+  struct Reached {
+    ResolvedCommand command;
+    CommandResult result;
+  };
+
  public:
   /// given: the mesh to which all boundaries refer.
   explicit Deformer(MeshState given, DeformerOptions options = {});
@@ -89,7 +96,7 @@ class Deformer {
     friend class Deformer;
     std::vector<std::shared_ptr<const Coordinates>> last;
     std::vector<MovingBody> bodies;
-    std::optional<Command> reached;
+    std::shared_ptr<const Reached> reached;
   };
   /// For implicit coupling, which repeats time steps. The steps after restore() give the results,
   /// bit for bit, that the same steps gave after checkpoint(). Solvers are prepared anew after each
@@ -107,8 +114,8 @@ class Deformer {
   MeshState given_;
   DeformerOptions options_;
   std::shared_ptr<const Coordinates> given_coordinates_;
-  std::optional<Command> set_;      // with the options of the session; none: nothing is set
-  std::optional<Command> reached_;  // the command of the present mesh; none: it is that given
+  std::optional<Command> set_;              // with the options of the session; none: nothing is set
+  std::shared_ptr<const Reached> reached_;  // null: the present mesh is that given
   // The results of the last complete steps, the latest first.
   std::vector<std::shared_ptr<const Coordinates>> last_;
   std::vector<MovingBody> bodies_;  // moved in the last result, with pivots; empty: not known
