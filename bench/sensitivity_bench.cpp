@@ -1,15 +1,16 @@
 // The cost of derivatives by the boundary, and of the steps of a session, beside linear solves.
 //
-//   bench/sensitivity_bench MESH --marker NAME [--threads N] [--steps K] [--periods P] [--tolerance
-//   T]
+//   bench/sensitivity_bench MESH --marker NAME [--threads N] [--steps K] [--periods P]
+//                           [--tolerance T]
 //
 // The marker oscillates: up and down by a tenth of its size, and it bends by as much. First at one
 // mesh on the way: a tight linear solve (factors or hierarchy, and one right-hand side to 1e-12) as
 // MeshSensitivity makes it, and products with the derivative and its transpose. Then P periods of K
 // steps by a Deformer, with the tolerance T a step: CPU time and linear solves of a step, how far
-// the mesh of a quarter of the period is from that of the first one, and the steps' slowest. At the
-// end the mesh of that quarter, solved to 1e-10, beside the one of a new Deformer. All times are
-// CPU times of all threads.
+// the mesh of a quarter of the period is from that of the first one. Then the drift: the mesh of
+// that quarter, solved to 1e-10, beside the one of a new Deformer. Last two periods in which the
+// marker bends more often than it goes up, so that no boundary comes back. All times are CPU times
+// of all threads.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -68,12 +69,17 @@ Request read_request(const std::vector<std::string>& arguments) {
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// The body at one phase of its oscillation.
-DeformCommand command_at(const Request& request, const Mesh& mesh, double phase) {
+/// Phases of an oscillation: of the way up, and of the bending.
+struct Phases {
+  double up, bend;
+};
+
+DeformCommand command_at(const Request& request, const Mesh& mesh, const Phases& phases) {
   const std::vector<Index> nodes = mesh.topology->markers().nodes_of(std::span(&request.marker, 1));
   Box<3> box = Box<3>::empty();
   for (const Index node : nodes) box.add(place_of(mesh.coordinates, node));
   const double size = box.size().norm() / std::sqrt(3.0);
+  const double up = std::sin(phases.up), bend = std::sin(phases.bend);
   PositionTable table;
   for (const Index node : nodes) {
     const Vec3 p = place_of(mesh.coordinates, node);
@@ -82,7 +88,7 @@ DeformCommand command_at(const Request& request, const Mesh& mesh, double phase)
     entry.node = node;
     entry.position =
         GivenVector::of(mesh.coordinates.dimension(),
-                        Vec3(p + 0.1 * size * std::sin(phase) * Vec3(0, 1 + std::sin(2 * s), 0)));
+                        Vec3(p + 0.1 * size * Vec3(0, up + bend * std::sin(2 * s), 0)));
     table.entries.push_back(entry);
   }
   DeformCommand command;
@@ -94,7 +100,7 @@ DeformCommand command_at(const Request& request, const Mesh& mesh, double phase)
 
 /// A linear solve with the Hessian at the mesh: factors or hierarchy, and one right-hand side.
 double seconds_of_solve(const Request& request, const DeformCommand& command,
-                        const MeshState& state, const Coordinates& moved) {
+                        const MeshState& state, const CommandResult& moved) {
   const MotionEquations equations = equations_of(command, state, moved, {});
   LinearOptions options;
   options.tolerance = 1e-12;
@@ -112,12 +118,13 @@ double seconds_of_solve(const Request& request, const DeformCommand& command,
 }
 
 void measure_products(const Request& request, const MeshState& state) {
-  const DeformCommand command = command_at(request, state.mesh, 1);
+  const DeformCommand command = command_at(request, state.mesh, {1, 1});
   double begin = cpu_seconds();
-  const Coordinates moved = execute(command, state).state.mesh.coordinates;
+  const CommandResult result = execute(command, state);
+  const Coordinates& moved = result.state.mesh.coordinates;
   std::printf("motion from the mesh as given           %8.3f s\n", cpu_seconds() - begin);
   begin = cpu_seconds();
-  const MeshSensitivity sensitivity(state, command, moved);
+  const MeshSensitivity sensitivity(state, command, result);
   const double prepared = cpu_seconds() - begin;
   std::printf("solved to 1e-10 and prepared            %8.3f s (%s)\n", prepared,
               sensitivity.solver().c_str());
@@ -133,7 +140,7 @@ void measure_products(const Request& request, const MeshState& state) {
   begin = cpu_seconds();
   for (int k = 0; k < products; ++k) static_cast<void>(sensitivity.forward(field));
   const double forward = (cpu_seconds() - begin) / products;
-  const double solve = seconds_of_solve(request, command, state, moved);
+  const double solve = seconds_of_solve(request, command, state, result);
   std::printf("tight solve: factors and one right side %8.3f s\n", solve);
   std::printf("product, transposed                     %8.3f s, %.2f tight solves\n", transposed,
               transposed / solve);
@@ -148,12 +155,38 @@ double apart(const Coordinates& a, const Coordinates& b) {
   return off;
 }
 
-/// A step of a session, to the phase.
-CommandResult step_to(const Request& request, Deformer& deformer, double phase, double tolerance) {
-  DeformCommand command = command_at(request, deformer.given().mesh, phase);
+/// A step of a session.
+CommandResult step_to(const Request& request, Deformer& deformer, const Phases& phases,
+                      double tolerance) {
+  DeformCommand command = command_at(request, deformer.given().mesh, phases);
   deformer.set_shape({request.marker}, std::move(command.shape));
   return deformer.step(tolerance);
 }
+
+/// Steps of a session, added up.
+class Steps {
+ public:
+  CommandResult to(const Request& request, Deformer& deformer, const Phases& phases) {
+    const double begin = cpu_seconds();
+    CommandResult result = step_to(request, deformer, phases, request.tolerance);
+    const double took = cpu_seconds() - begin;
+    seconds_ += took;
+    slowest_ = std::max(slowest_, took);
+    solves_ += result.smooth.linear_solves;
+    bad_ += result.smooth.inverted > 0 || result.smooth.fraction_reached < 1;
+    ++count_;
+    return result;
+  }
+  void print(const std::string& what) const {
+    std::printf("%s: %.3f s (at most %.3f) and %.2f linear solves a step, %d of %d not completed",
+                what.c_str(), seconds_ / count_, slowest_, static_cast<double>(solves_) / count_,
+                bad_, count_);
+  }
+
+ private:
+  double seconds_ = 0, slowest_ = 0;
+  int solves_ = 0, bad_ = 0, count_ = 0;
+};
 
 void measure_session(const Request& request, const MeshState& state) {
   DeformerOptions options;
@@ -161,32 +194,30 @@ void measure_session(const Request& request, const MeshState& state) {
   Deformer deformer(state, options);
   Coordinates first;
   for (int period = 0; period < request.periods; ++period) {
-    double seconds = 0, slowest = 0;
-    int solves = 0;
-    Index inverted = 0;
-    Coordinates last;
+    Steps steps;
+    Coordinates quarter;
     for (int step = 1; step <= request.steps; ++step) {
-      const double begin = cpu_seconds();
-      const CommandResult result =
-          step_to(request, deformer, 2 * pi * step / request.steps, request.tolerance);
-      const double took = cpu_seconds() - begin;
-      seconds += took;
-      slowest = std::max(slowest, took);
-      solves += result.smooth.linear_solves;
-      inverted += result.smooth.inverted;
-      if (step == request.steps / 4) last = result.state.mesh.coordinates;
+      const double phase = 2 * pi * step / request.steps;
+      const CommandResult result = steps.to(request, deformer, {phase, phase});
+      if (step == request.steps / 4) quarter = result.state.mesh.coordinates;
     }
-    if (period == 0) first = last;
-    std::printf(
-        "period %d: %.3f s (at most %.3f) and %.2f linear solves a step, %d inverted, off by "
-        "%.1e\n",
-        period + 1, seconds / request.steps, slowest, static_cast<double>(solves) / request.steps,
-        static_cast<int>(inverted), apart(first, last));
+    if (period == 0) first = quarter;
+    steps.print("period " + std::to_string(period + 1));
+    std::printf(", off by %.1e\n", apart(first, quarter));
   }
+  const Phases top{0.5 * pi, 0.5 * pi};
   Deformer anew(state, options);
-  std::printf("drift: %.1e\n",
-              apart(step_to(request, deformer, 0.5 * pi, 1e-10).state.mesh.coordinates,
-                    step_to(request, anew, 0.5 * pi, 1e-10).state.mesh.coordinates));
+  std::printf("drift: %.1e\n", apart(step_to(request, deformer, top, 1e-10).state.mesh.coordinates,
+                                     step_to(request, anew, top, 1e-10).state.mesh.coordinates));
+  // The golden ratio: no boundary comes back.
+  Steps steps;
+  Deformer wandering(state, options);
+  for (int step = 1; step <= 2 * request.steps; ++step) {
+    const double phase = 2 * pi * step / request.steps;
+    steps.to(request, wandering, {phase, 0.5 * (1 + std::sqrt(5.0)) * phase});
+  }
+  steps.print("no period");
+  std::printf("\n");
 }
 
 }  // namespace
