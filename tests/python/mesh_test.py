@@ -62,7 +62,7 @@ class Reading(PackageTest):
 
 class Writing(PackageTest):
     def test_only_coordinates_change(self):
-        text = ("% a comment\nNDIME=2\nNELEM=  1\n5  0 1 2   0\nUNKNOWN= 7\nNPOIN= 3\n0 0 0\n1 0 1\n0 1 2\n"
+        text = ("% a comment\nNDIME= 2\nNELEM= 1\n5  0 1 2   0\nUNKNOWN= 7\nNPOIN= 3\n0 0 0\n1 0 1\n0 1 2\n"
                 "NMARK= 1\nMARKER_TAG= wall\nMARKER_ELEMS= 3\n3 0 1\n3 1 2\n3 2 0\n")
         (self.folder / "source.su2").write_text(text)
         mesh = winslow.read(self.folder / "source.su2")
