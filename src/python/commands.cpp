@@ -1,7 +1,4 @@
-#include <pybind11/stl.h>
-
 #include "core/command/option_tables.h"
-#include "core/error.h"
 #include "io/recipe/recipe.h"
 #include "io/tables/table_files.h"
 #include "python/arrays.h"
@@ -13,32 +10,6 @@ namespace py = pybind11;
 namespace winslow::python {
 namespace {
 
-/// Takes a keyword out of a dict; none if it is not there.
-py::object taken(py::dict& keywords, const char* name) {
-  return keywords.contains(name) ? keywords.attr("pop")(name).cast<py::object>()
-                                 : py::object(py::none());
-}
-
-/// Takes what all functions have out of the keywords.
-RunArguments run_arguments(py::dict& keywords) {
-  RunArguments arguments;
-  arguments.progress = taken(keywords, "progress");
-  if (!arguments.progress.is_none() && PyCallable_Check(arguments.progress.ptr()) == 0)
-    throw UsageError("progress: expected a function of one argument, the iteration");
-  if (const py::object reference = taken(keywords, "reference"); !reference.is_none())
-    arguments.reference = reference.cast<MeshPointer>();
-  if (const py::object config = taken(keywords, "config"); !config.is_none())
-    arguments.config = py::str(config).cast<std::string>();
-  arguments.accept_partial = py::bool_(taken(keywords, "allow_incomplete"));
-  return arguments;
-}
-
-std::vector<std::string> keywords_of(const OptionTable& table) {
-  std::vector<std::string> names;
-  for (const Option& option : table) names.push_back(keyword_of(option));
-  return names;
-}
-
 /// The options of a command that its function takes as keywords, but for those that have arguments
 /// of their own.
 OptionTable keyword_table(SmoothCommand& command) { return option_table(command.smooth); }
@@ -46,49 +17,13 @@ OptionTable keyword_table(ScrambleCommand& command) { return option_table(comman
 OptionTable keyword_table(LayersCommand& command) {
   return joined(option_table(command), option_table(command.smooth));
 }
-template <class Moving>
-OptionTable keyword_table(Moving& command) {
-  OptionTable table = option_table(command);
-  std::erase_if(table, [](const Option& option) { return option.object == "min_quality"; });
-  return joined(std::move(table), option_table(command.smooth));
-}
-
-/// Sets limits of the quality from a dict by the names of metrics.
-void set_floor(QualityFloor& floor, const py::object& given) {
-  if (given.is_none()) return;
-  if (!py::isinstance<py::dict>(given))
-    throw UsageError("min_quality: expected a dict of limits by the names of metrics");
-  py::dict limits = given.attr("copy")().cast<py::dict>();
-  const OptionTable table = option_table(floor);
-  OptionTable by_key = table;
-  for (Option& option : by_key) option.flag = option.key;
-  set_options(by_key, limits);
-  if (limits.empty()) return;
-  throw UsageError("min_quality: unknown metric \"" +
-                   py::str((*limits.begin()).first).cast<std::string>() + "\", expected one of " +
-                   listed(table, [](const Option& option) { return option.key; }));
-}
 
 /// Sets the options from what is left of the keywords. Throws UsageError for others.
 template <class AnyCommand>
 void set_keywords(AnyCommand& command, py::dict& keywords) {
   const OptionTable table = keyword_table(command);
   set_options(table, keywords);
-  std::vector<std::string> known = keywords_of(table);
-  for (const char* name : {"reference", "config", "progress", "allow_incomplete", "allow_inverted"})
-    known.emplace_back(name);
-  if constexpr (requires { command.how; })
-    for (const char* name : {"min_quality", "hold_layers"}) known.emplace_back(name);
-  refuse_others(keywords, known);
-}
-
-/// The command, with one before it that holds layers; sets the options of both.
-template <class Moving>
-std::vector<Command> moving_commands(Moving command, py::dict& keywords) {
-  const auto held = names_of(taken(keywords, "hold_layers"), "hold_layers");
-  set_floor(command.how.floor, taken(keywords, "min_quality"));
-  set_keywords(command, keywords);
-  return app::holding_layers(held, command.smooth, command);
+  refuse_others(keywords, known_keywords(table, {"config", "progress", "allow_inverted"}));
 }
 
 std::shared_ptr<EditRun> run(const char* name, const MeshPointer& mesh,
@@ -97,52 +32,24 @@ std::shared_ptr<EditRun> run(const char* name, const MeshPointer& mesh,
 }
 
 std::shared_ptr<EditRun> smooth(const MeshPointer& mesh, py::dict keywords) {
-  const RunArguments arguments = run_arguments(keywords);
+  const RunArguments arguments = run_arguments(keywords, false);
   SmoothCommand command;
   set_keywords(command, keywords);
   return run("smooth", mesh, {command}, arguments);
 }
 
 std::shared_ptr<EditRun> scramble(const MeshPointer& mesh, py::dict keywords) {
-  const RunArguments arguments = run_arguments(keywords);
+  const RunArguments arguments = run_arguments(keywords, false);
   ScrambleCommand command;
   set_keywords(command, keywords);
   return run("scramble", mesh, {command}, arguments);
 }
 
-/// A body from {"markers": ..., "rotate": ..., ...}.
-MovingBody body_of(const py::handle& given, std::size_t number) {
-  const std::string where = "bodies[" + std::to_string(number) + "]";
-  if (!py::isinstance<py::dict>(given))
-    throw UsageError(where + ": expected a dict with markers, rotate, translate, pivot or axis");
-  py::dict keywords = given.attr("copy")().cast<py::dict>();
-  MovingBody body;
-  body.markers = names_of(taken(keywords, "markers"), where + " markers");
-  if (body.markers.empty()) throw UsageError(where + ": expected \"markers\", what moves");
-  if (!keywords.contains("rotate") && !keywords.contains("translate"))
-    throw UsageError(where + ": nothing to do: expected rotate, translate, or both");
-  const OptionTable table = option_table(body.motion);
-  try {
-    set_options(table, keywords);
-    refuse_others(keywords, keywords_of(table));
-  } catch (const UsageError& error) {
-    throw UsageError(where + ": " + error.what());
-  }
-  return body;
-}
-
 constexpr const char* nothing_to_do = "nothing to do: give rotate, translate, or both";
-
-std::vector<MovingBody> bodies_of(const py::object& given) {
-  std::vector<MovingBody> bodies;
-  for (const py::handle body : given) bodies.push_back(body_of(body, bodies.size()));
-  if (bodies.empty()) throw UsageError("bodies: found an empty list, expected one body or more");
-  return bodies;
-}
 
 std::shared_ptr<EditRun> move(const MeshPointer& mesh, const py::object& markers,
                               const py::object& bodies, py::dict keywords) {
-  const RunArguments arguments = run_arguments(keywords);
+  const RunArguments arguments = run_arguments(keywords, true);
   MoveCommand command;
   if (!bodies.is_none()) {
     if (!markers.is_none())
@@ -156,9 +63,14 @@ std::shared_ptr<EditRun> move(const MeshPointer& mesh, const py::object& markers
   }
   const bool motion =
       !bodies.is_none() || keywords.contains("rotate") || keywords.contains("translate");
-  std::vector<Command> commands = moving_commands(std::move(command), keywords);
+  OptionTable own;
+  RigidMotion single;
+  if (bodies.is_none()) own = option_table(single);
+  const auto held = names_of(taken(keywords, "hold_layers"), "hold_layers");
+  set_motion(command.how, command.smooth, own, keywords);
   if (!motion) throw UsageError(nothing_to_do);
-  return run("move", mesh, std::move(commands), arguments);
+  if (bodies.is_none()) command.bodies.front().motion = single;
+  return run("move", mesh, app::holding_layers(held, command.smooth, command), arguments);
 }
 
 /// Rows of numbers for the nodes `ids`, as entries of a table.
@@ -209,7 +121,7 @@ std::shared_ptr<EditRun> deform(const MeshPointer& mesh, const py::object& marke
                                 const py::object& sine, const std::string& kind,
                                 const py::object& nodes, const py::object& numbers,
                                 py::dict keywords) {
-  const RunArguments arguments = run_arguments(keywords);
+  const RunArguments arguments = run_arguments(keywords, true);
   DeformCommand command;
   command.markers = names_of(markers, "markers");
   if (!sine.is_none()) {
@@ -222,12 +134,14 @@ std::shared_ptr<EditRun> deform(const MeshPointer& mesh, const py::object& marke
         throw UsageError(std::string("sine: expected a number \"") + name + '"');
     const OptionTable table = option_table(shape);
     set_options(table, settings);
-    refuse_others(settings, keywords_of(table));
+    refuse_others(settings, known_keywords(table));
     command.shape = shape;
   } else {
     set_shape(command, kind, nodes, numbers, mesh->mesh().coordinates.dimension());
   }
-  return run("deform", mesh, moving_commands(std::move(command), keywords), arguments);
+  const auto held = names_of(taken(keywords, "hold_layers"), "hold_layers");
+  set_motion(command.how, command.smooth, {}, keywords);
+  return run("deform", mesh, app::holding_layers(held, command.smooth, command), arguments);
 }
 
 /// Takes the spacing and the part of a wall out of the keywords.
@@ -281,7 +195,7 @@ constexpr std::array spacing_keywords{"count",  "first",    "ratio",
 std::shared_ptr<EditRun> layers(const MeshPointer& mesh, const py::object& markers,
                                 const py::object& walls, const py::object& columns,
                                 py::dict keywords) {
-  const RunArguments arguments = run_arguments(keywords);
+  const RunArguments arguments = run_arguments(keywords, false);
   LayersCommand command;
   const py::dict common = keywords.attr("copy")().cast<py::dict>();
   LayerWall wall = wall_of(keywords, names_of(markers, "markers"));
@@ -308,7 +222,7 @@ std::shared_ptr<EditRun> layers(const MeshPointer& mesh, const py::object& marke
 
 std::shared_ptr<EditRun> replay(const MeshPointer& mesh, const std::string& recipe,
                                 py::dict keywords) {
-  const RunArguments arguments = run_arguments(keywords);
+  const RunArguments arguments = run_arguments(keywords, true);
   refuse_others(keywords, {"reference", "config", "progress", "allow_incomplete"});
   io::Recipe read = io::read_recipe(recipe);
   if (read.commands.empty()) throw UsageError(recipe + ": has no commands");
@@ -321,30 +235,22 @@ py::list tables_of(const std::string& function) {
   const auto add = [&](const char* heading, const OptionTable& table) {
     sections.append(py::make_tuple(heading, described(table)));
   };
-  MoveCommand moved;
-  DeformCommand deformed;
+  MotionOptions how;
   LayersCommand layered;
   LayerSpacing spacing;
   ScrambleCommand scrambled;
   SineDeformation sine;
   SmoothOptions smoothing;
-  if (function == "move") {
-    OptionTable table = option_table(moved);
-    std::erase_if(table, [](const Option& option) { return option.object == "min_quality"; });
-    add("Motion", table);
-  }
+  RigidMotion motion;
+  if (function == "sweep" || function == "sensitivity") smoothing = independent_of_start(smoothing);
+  if (function == "move") add("Motion", joined(option_table(motion), motion_table(how)));
+  if (function == "deform") add("Motion", motion_table(how));
   if (function == "sweep") {
-    smoothing = independent_of_start(smoothing);
-    add("Motion", [&] {
-      OptionTable table = option_table(moved);
-      std::erase_if(table, [](const Option& option) { return option.object == "min_quality"; });
-      return table;
-    }());
-  }
-  if (function == "deform") {
-    OptionTable table = option_table(deformed);
-    std::erase_if(table, [](const Option& option) { return option.object == "min_quality"; });
-    add("Motion", table);
+    OptionTable own = option_table(motion);
+    std::erase_if(own, [](const Option& option) {
+      return option.key == "rotate" || option.key == "translate";
+    });
+    add("Motion", joined(std::move(own), motion_table(how)));
   }
   if (function == "sine") add("Sine", option_table(sine));
   if (function == "layers") {
@@ -352,7 +258,6 @@ py::list tables_of(const std::string& function) {
     add("Layers", option_table(layered));
   }
   if (function == "scramble") add("Options", option_table(scrambled));
-  if (function == "sensitivity") smoothing = independent_of_start(smoothing);
   if (function != "scramble" && function != "sine") add("Smoothing", option_table(smoothing));
   return sections;
 }

@@ -11,13 +11,6 @@
 namespace py = pybind11;
 
 namespace winslow::python {
-namespace {
-
-/// The name of a mesh in messages.
-std::string name_of(const MeshValue& mesh) { return mesh.path.empty() ? "the mesh" : mesh.path; }
-
-}  // namespace
-
 EditRun::EditRun(std::string name, MeshPointer source, std::vector<Command> commands,
                  const RunArguments& arguments)
     : source_(std::move(source)) {
@@ -25,12 +18,7 @@ EditRun::EditRun(std::string name, MeshPointer source, std::vector<Command> comm
   report_.input = source_->path;
   PythonMonitor monitor(arguments.progress);
   monitor.run([&] {
-    for (const Command& command : commands)
-      if (const SmoothOptions* options = smooth_options(command)) validate(*options);
-    std::vector<io::MeshFile> files{source_->file};
-    for (Command& command : commands) app::expand_groups(command, files);
-    zone_ = std::move(app::share_out(std::move(files), commands, name_of(*source_)).front());
-    prepare(arguments);
+    zone_ = prepared_zone(*source_, std::move(commands), arguments, remarks_);
     RunOptions options;
     options.monitor = &monitor;
     options.all_or_nothing = !arguments.accept_partial;
@@ -46,18 +34,6 @@ EditRun::EditRun(std::string name, MeshPointer source, std::vector<Command> comm
     warn();
   });
   result_ = result_mesh(*source_, zone_.result.mesh);
-}
-
-void EditRun::prepare(const RunArguments& arguments) {
-  std::vector<app::ZoneRun> zones(1);
-  zones.front() = std::move(zone_);
-  remarks_ = app::add_file_defaults(zones, arguments.config);
-  app::resolve_files(zones, io::read_reference);
-  zone_ = std::move(zones.front());
-  zone_.result = make_state(zone_.source.mesh);
-  if (!arguments.reference) return;
-  zone_.result = with_reference(std::move(zone_.result), arguments.reference->mesh());
-  zone_.source.mesh.topology = zone_.result.mesh.topology;
 }
 
 void EditRun::warn() {

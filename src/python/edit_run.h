@@ -1,20 +1,11 @@
 #pragma once
 
-#include "app/job/edit_job.h"
-#include "python/mesh_value.h"
+#include "python/keywords.h"
 
 /// The commands that change a mesh, as functions of the module. Each does what the command line
 /// does with the same options, from the defaults of the file to the checks of the result, but for
 /// files.
 namespace winslow::python {
-
-/// What every such function takes besides its command.
-struct RunArguments {
-  MeshPointer reference;        ///< whose shapes motions keep; null: the mesh itself
-  std::string config;           ///< configuration of SU2 for the mesh; empty: none
-  bool accept_partial = false;  ///< go as far as possible
-  pybind11::object progress = pybind11::none();
-};
 
 /// Carries out commands on a mesh, and keeps what reports need.
 class EditRun {
@@ -41,7 +32,6 @@ class EditRun {
   std::string report();
 
  private:
-  void prepare(const RunArguments& arguments);
   void warn();
 
   MeshPointer source_, result_;

@@ -17,4 +17,7 @@ PYBIND11_MODULE(_winslow, module) {
   winslow::python::bind_mesh(module);
   winslow::python::bind_commands(module);
   winslow::python::bind_measures(module);
+  winslow::python::bind_sweep(module);
+  winslow::python::bind_sensitivity(module);
+  winslow::python::bind_pictures(module);
 }

@@ -6,8 +6,8 @@
     result = winslow.move(mesh, "flap", rotate=-10, pivot=(0.8, 0))
     winslow.write(result.mesh, "moved.su2")
 
-Functions: read, write, convert, smooth, untangle, move, deform, layers, scramble, replay, quality,
-values, fields, from_meshio, from_pyvista. A mesh may also be a file, a mesh of meshio or pyvista, or
+Functions: read, write, convert, smooth, untangle, move, deform, layers, scramble, replay, sweep,
+quality, values, fields, render, from_meshio, from_pyvista; classes: Mesh, Sensitivity. A mesh may also be a file, a mesh of meshio or pyvista, or
 (points, cells, cell_sets). docs/python.md has more.
 """
 
@@ -18,12 +18,16 @@ from .errors import (Cancelled, Error, IncompleteMotion, InputError, MeshError, 
                      UsageError)
 from .files import convert, read, write
 from .foreign import as_mesh, from_meshio, from_pyvista, to_meshio, to_pyvista
+from .derivatives import Sensitivity
+from .pictures import Picture, plot, render
 from .results import Quality, Result
+from .series import Step, sweep
 
 for _class in (Iteration, Mesh):
     _class.__module__ = __name__
 
 __all__ = ["Cancelled", "Error", "IncompleteMotion", "InputError", "Iteration", "Mesh", "MeshError", "MeshWarning",
-           "NumericError", "OutputError", "Quality", "Result", "UsageError", "__version__", "as_mesh", "convert", "deform",
-           "fields", "from_meshio", "from_pyvista", "layers", "move", "quality", "read", "replay", "scramble", "smooth",
-           "to_meshio", "to_pyvista", "untangle", "values", "write"]
+           "NumericError", "OutputError", "Picture", "Quality", "Result", "Sensitivity", "Step", "UsageError",
+           "__version__", "as_mesh", "convert", "deform", "fields", "from_meshio", "from_pyvista", "layers", "move", "plot",
+           "quality", "read", "render", "replay", "scramble", "smooth", "sweep", "to_meshio", "to_pyvista", "untangle",
+           "values", "write"]

@@ -9,6 +9,7 @@ sets. So `from_meshio(m).to_meshio()` is `m` again, bit for bit.
 
 import dataclasses
 import os
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -52,7 +53,7 @@ def _dimension(name):
 
 def _pairs(cells):
     """Blocks of cells as a list of (type, data)."""
-    if isinstance(cells, dict):
+    if isinstance(cells, Mapping):
         return list(cells.items())
     pairs = []
     for block in cells:
@@ -115,7 +116,7 @@ def _is_cell_set(value, blocks):
 
 def _faces(value):
     """Faces as a list of arrays (m, k), one for each number of corners; a tuple of tuples counts as one array."""
-    if isinstance(value, dict):
+    if isinstance(value, Mapping):
         return [part for data in value.values() for part in (_split(data) if _is_rows(data) else [np.asarray(data)])]
     if isinstance(value, np.ndarray):
         return [value]

@@ -1,5 +1,6 @@
 """Docstrings and signatures that the program's tables of options say."""
 
+import ast
 import inspect
 import textwrap
 
@@ -29,6 +30,10 @@ def own_options(function):
     """The options of a function that stand in no table."""
     if function in ("move", "deform"):
         return MOTION + COMMON
+    if function == "sweep":
+        return MOTION + COMMON[1:2]
+    if function == "sensitivity":
+        return COMMON[1:]
     return COMMON
 
 
@@ -75,9 +80,10 @@ Cancelled, NumericError, InputError
 def _signature(function, name):
     """The signature with every option as a keyword."""
     given = [p for p in inspect.signature(function).parameters.values() if p.kind is not p.VAR_KEYWORD]
-    rows = [row["name"] for _, table in _winslow.tables_of(name) for row in table]
-    rows += [row[0] for row in own_options(name)]
-    more = [inspect.Parameter(row, inspect.Parameter.KEYWORD_ONLY, default=...) for row in dict.fromkeys(rows)]
+    rows = {row["name"]: row["default"] for _, table in _winslow.tables_of(name) for row in table}
+    rows.update({row[0]: row[2] for row in own_options(name)})
+    more = [inspect.Parameter(option, inspect.Parameter.KEYWORD_ONLY, default=ast.literal_eval(default))
+            for option, default in rows.items()]
     return inspect.Signature(given + more)
 
 
