@@ -22,7 +22,8 @@ ROOT = pathlib.Path(__file__).resolve().parent
 
 def version():
     text = (ROOT / "src" / "core" / "version.h").read_text()
-    return ".".join(re.search(rf"#define WINSLOW_VERSION_{part} (\d+)", text)[1] for part in ("MAJOR", "MINOR", "PATCH"))
+    return ".".join(re.search(rf"#define WINSLOW_VERSION_{part} (\d+)", text)[1]
+                    for part in ("MAJOR", "MINOR", "PATCH"))
 
 
 class CMakeExtension(build_ext):

@@ -40,7 +40,8 @@ def error_classes():
         kind = getattr(errors, name)
         bases = ", ".join(base.__name__ for base in kind.__bases__)
         attributes = textwrap.indent(ATTRIBUTES.get(name, ""), "    ")
-        parts.append(f"class {name}({bases}):\n{quoted(kind.__doc__, '    ')}\n" + (f"\n{attributes}\n" if attributes else ""))
+        parts.append(f"class {name}({bases}):\n{quoted(kind.__doc__, '    ')}\n"
+                     + (f"\n{attributes}\n" if attributes else ""))
     return "\n".join(parts)
 
 
@@ -82,7 +83,8 @@ def stub():
             out.append(quoted(getattr(winslow, found[2][4:]).__doc__, found[1]))
         else:
             out.append(function(found[2], found[1]))
-    return "# Made by docs/make_python.py from the tables of the program: changes here are lost.\n" + "\n".join(out).rstrip() + "\n"
+    made = "# Made by docs/make_python.py from the tables of the program: changes here are lost."
+    return "\n".join([made, *out]).rstrip() + "\n"
 
 
 def first_sentence(text):

@@ -4,6 +4,8 @@ pyvista is no package of Debian. `Grid` stands in for `pyvista.UnstructuredGrid`
 and attributes, with the arrays of VTK's layout.
 """
 
+import pickle
+
 import meshio
 import numpy as np
 
@@ -119,6 +121,16 @@ class Meshio(PackageTest):
 
 
 class Arrays(PackageTest):
+    def test_pickle(self):
+        foreign = winslow.from_meshio(meshio.read(DATA / "square.vtu"))
+        for mesh in (ring(), cube(), winslow.read(DATA / "square_41.msh"), foreign):
+            back = pickle.loads(pickle.dumps(mesh))
+            self.assert_same(back.points, mesh.points)
+            self.assertEqual(repr(back), repr(mesh))
+            for kind in mesh.cells:
+                self.assert_same(back.cells[kind], mesh.cells[kind])
+                self.assert_same(back.element_ids[kind], mesh.element_ids[kind])
+
     def test_points_cells_and_sets(self):
         points, cells, edges = ring_arrays()
         blocks = [("triangle", cells["triangle"]), ("line", np.concatenate(list(edges.values())))]
@@ -152,7 +164,8 @@ class Pyvista(PackageTest):
     def test_markers_and_regions(self):
         mesh = winslow.from_pyvista(self.grid())
         self.assertEqual((mesh.node_count, mesh.element_count, mesh.kind), (9, 5, "plane"))
-        self.assertEqual({name: list(nodes) for name, nodes in mesh.markers.items()}, {"low": [0, 1, 2], "marker_9": [3, 6]})
+        self.assertEqual({name: list(nodes) for name, nodes in mesh.markers.items()},
+                         {"low": [0, 1, 2], "marker_9": [3, 6]})
         self.assertEqual({name: list(ids) for name, ids in mesh.regions.items()}, {"a": [0, 1], "region_2": [2, 3, 4]})
         self.assertEqual(winslow.quality(mesh).inverted, 0)
 
@@ -188,6 +201,19 @@ class Pyvista(PackageTest):
         self.assertEqual(set(types), {12})
         back = winslow.from_pyvista(Grid(cells, types, points))
         self.assert_same(back.cells["hexahedron"], mesh.cells["hexahedron"])
+
+    def test_a_stream_that_is_none(self):
+        for cells, types in (([3, 0, 1], [5]), ([4, 0, 1, 2, 3], [5]), ([7, 0, 1, 2], [7])):
+            with self.assertRaisesRegex(winslow.UsageError, "VTK's layout"):
+                winslow.from_pyvista(Grid(cells, types, np.eye(3)))
+
+    def test_polygons(self):
+        flat = np.array([[0, 0, 0], [1, 0, 0], [1.3, 1, 0], [0.5, 1.6, 0], [-0.3, 1, 0], [0.5, -1, 0]])
+        given = Grid([5, 0, 1, 2, 3, 4, 3, 0, 5, 1], [7, 5], flat)
+        mesh = winslow.from_pyvista(given)
+        self.assertEqual(sorted(mesh.cells), ["polygon", "triangle"])
+        cells, types, _ = vtk_arrays(mesh)
+        self.assertEqual((list(cells), list(types)), (list(given.cells), list(given.celltypes)))
 
     def test_other_types_are_refused(self):
         with self.assertRaisesRegex(winslow.UsageError, "type 22"):

@@ -44,8 +44,8 @@ class Installed(PackageTest):
     def test_wheel(self):
         # Where pip builds: not in the source tree, of which several runs may build at once.
         environment = {**os.environ, "WINSLOW_BUILD_FOLDER": str(BUILD)}
-        run = subprocess.run([sys.executable, "-m", "pip", "wheel", str(ROOT), "--no-build-isolation", "--no-deps", "--quiet",
-                              "--wheel-dir", str(self.folder), "--disable-pip-version-check"],
+        run = subprocess.run([sys.executable, "-m", "pip", "wheel", str(ROOT), "--no-build-isolation", "--no-deps",
+                              "--quiet", "--wheel-dir", str(self.folder), "--disable-pip-version-check"],
                              cwd=self.folder, env=environment, capture_output=True, text=True, check=False)
         if "No module named pip" in run.stderr:
             self.skipTest("pip is not installed")

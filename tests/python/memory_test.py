@@ -32,7 +32,7 @@ class Leaks(PackageTest):
                      lambda: winslow.Mesh(points, mesh.cells, {"body": mesh.faces["body"]}),
                      lambda: (mesh.cells, mesh.faces, mesh.regions, repr(mesh)),
                      lambda: winslow.values(mesh, "aspect_ratio"),
-                     lambda: winslow.move(mesh, "body", rotate=1, threads=1, progress=lambda record: record.residual).history,
+                     lambda: winslow.move(mesh, "body", rotate=1, threads=1, progress=lambda r: r.residual).history,
                      lambda: winslow.quality(mesh, threads=1), lambda: mesh.to_meshio()):
             call()
         for call in (lambda: winslow.move(mesh, "body", rotat=1), lambda: winslow.move(mesh, "bdy", rotate=1),

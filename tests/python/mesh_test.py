@@ -127,7 +127,8 @@ class Arrays(PackageTest):
         self.assert_same(moved.points, mesh.points + 1)
         self.assert_same(mesh.points, ring_arrays()[0])
         self.assert_same(mesh.with_points(np.asfortranarray(mesh.points)).points, mesh.points)
-        self.assert_same(mesh.with_points(mesh.points.astype(np.float32)).points, mesh.points.astype(np.float32).astype(float))
+        short = mesh.points.astype(np.float32)
+        self.assert_same(mesh.with_points(short).points, short.astype(float))
         for wrong, text in ((mesh.points[:5], "shape"), (np.zeros((mesh.node_count, 3)), "shape"), ("abc", "str"),
                             (np.full_like(mesh.points, np.nan), "not finite")):
             with self.assertRaisesRegex(winslow.UsageError, text):

@@ -21,8 +21,8 @@ class Pictures(PackageTest):
 
     def test_like_the_program(self):
         winslow.write(ring(), self.folder / "ring.su2")
-        self.program("render", "ring.su2", "-o", "a.png", "--size", 320, 240, "--color", "normalized_jacobian", "--dark",
-                     "--bounds", -1, -1, 1, 1)
+        self.program("render", "ring.su2", "-o", "a.png", "--size", 320, 240, "--color", "normalized_jacobian",
+                     "--dark", "--bounds", -1, -1, 1, 1)
         winslow.render(self.folder / "ring.su2", self.folder / "b.png", size=(320, 240), color="normalized_jacobian",
                        dark=True, bounds=(-1, -1, 1, 1))
         self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())

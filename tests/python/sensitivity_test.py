@@ -57,7 +57,8 @@ class Sensitivities(PackageTest):
     def test_wrong_use(self):
         for call, text in ((lambda: winslow.Sensitivity(self.mesh, self.moved, []), "markers"),
                            (lambda: winslow.Sensitivity(self.mesh, self.moved, "bdy"), "did you mean body"),
-                           (lambda: winslow.Sensitivity(self.mesh, self.moved, "body", reference=self.mesh), "unknown option"),
+                           (lambda: winslow.Sensitivity(self.mesh, self.moved, "body", reference=self.mesh),
+                            "unknown option"),
                            (lambda: winslow.Sensitivity(self.mesh, ring(), "body"), "nodes"),
                            (lambda: self.sensitivity.forward(np.zeros((3, 2))), "shape"),
                            (lambda: self.sensitivity.transpose(np.zeros((3, 2))), "shape"),

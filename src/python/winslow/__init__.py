@@ -7,8 +7,8 @@
     winslow.write(result.mesh, "moved.su2")
 
 Functions: read, write, convert, smooth, untangle, move, deform, layers, scramble, replay, sweep,
-quality, values, fields, render, from_meshio, from_pyvista; classes: Mesh, Sensitivity. A mesh may also be a file, a mesh of meshio or pyvista, or
-(points, cells, cell_sets). docs/python.md has more.
+quality, values, fields, render, from_meshio, from_pyvista; classes: Mesh, Sensitivity. A mesh may also be
+a file, a mesh of meshio or pyvista, or (points, cells, cell_sets). docs/python.md has more.
 """
 
 from ._winslow import Iteration, Mesh
@@ -28,6 +28,6 @@ for _class in (Iteration, Mesh):
 
 __all__ = ["Cancelled", "Error", "IncompleteMotion", "InputError", "Iteration", "Mesh", "MeshError", "MeshWarning",
            "NumericError", "OutputError", "Picture", "Quality", "Result", "Sensitivity", "Step", "UsageError",
-           "__version__", "as_mesh", "convert", "deform", "fields", "from_meshio", "from_pyvista", "layers", "move", "plot",
-           "quality", "read", "render", "replay", "scramble", "smooth", "sweep", "to_meshio", "to_pyvista", "untangle",
+           "__version__", "as_mesh", "convert", "deform", "fields", "from_meshio", "from_pyvista", "layers", "move",
+           "plot", "quality", "read", "render", "replay", "scramble", "smooth", "sweep", "to_meshio", "to_pyvista", "untangle",
            "values", "write"]

@@ -1,5 +1,6 @@
 """The commands that change or measure a mesh. Their options are those of the program's tables."""
 
+import fnmatch
 import os
 
 from . import _winslow
@@ -117,6 +118,7 @@ def _rows(mesh, markers, nodes, numbers):
     if markers is None:
         raise UsageError("found rows without ids: expected nodes, or markers whose nodes the rows are of")
     names = [markers] if isinstance(markers, str) else list(markers)
+    names = [known for name in names for known in fnmatch.filter(mesh.markers, name) or [name]]
     unknown = [name for name in names if name not in mesh.markers]
     if unknown:
         raise UsageError(f'unknown marker "{unknown[0]}", expected one of {", ".join(mesh.markers)}')

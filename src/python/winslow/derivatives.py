@@ -60,8 +60,8 @@ NumericError
         self.mesh, self.boundary, self.distance = self._of.mesh, self._of.boundary, self._of.distance
         self.frozen, self.solver = self._of.frozen, self._of.solver
         if self.distance > 0.01:
-            say([f"a node is {self.distance:.2g} of its edges from the solution of the motion, where the derivative is: "
-                 "the motion was not converged, or had other options"])
+            say([f"a node is {self.distance:.2g} of its edges from the solution of the motion, where the derivative "
+                 "is: the motion was not converged, or had other options"])
 
     def forward(self, velocities):
         """dX/dB dB: the velocities of all nodes from those of the boundary.

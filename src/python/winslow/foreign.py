@@ -25,6 +25,7 @@ _DIMENSION = {"vertex": 0, "line": 1, "triangle": 2, "quad": 2, "polygon": 2,
 _VTK_TYPES = {1: "vertex", 3: "line", 5: "triangle", 7: "polygon", 8: "pixel", 9: "quad", 10: "tetra",
               11: "voxel", 12: "hexahedron", 13: "wedge", 14: "pyramid", 42: "polyhedron"}
 _VTK_NUMBERS = {name: number for number, name in _VTK_TYPES.items()}
+_VTK_SIZES = {1: 1, 3: 2, 5: 3, 8: 4, 9: 4, 10: 4, 11: 8, 12: 8, 13: 6, 14: 5}
 _VTK_ORDER = {"pixel": ("quad", [0, 1, 3, 2]), "voxel": ("hexahedron", [0, 1, 3, 2, 4, 5, 7, 6])}
 
 
@@ -160,7 +161,8 @@ class _Sets:
                 continue
             ids = np.asarray(ids).astype(np.int64)
             if ids.min() < 0 or ids.max() >= _count(kind, data):
-                raise UsageError(f'markers["{name}"]: found an index beyond the {_count(kind, data)} cells of type {kind}')
+                raise UsageError(f'markers["{name}"]: found an index beyond the {_count(kind, data)} cells of '
+                                 f"type {kind}")
             if first >= 0:
                 elements.append(first + ids)
             elif _dimension(kind) == self.top - 1:
@@ -271,31 +273,39 @@ def _add_tags(sets, tags, names):
             sets.add(name, [np.flatnonzero(part == tag) for part in parts])
 
 
+def _runs(keys):
+    """(begin, end) of the runs of equal numbers."""
+    keys = np.asarray(keys)
+    inside = np.flatnonzero(keys[1:] != keys[:-1]) + 1
+    return list(zip([0, *inside], [*inside, len(keys)])) if len(keys) else []
+
+
 def _own_blocks(mesh):
-    """Blocks of the elements in their order, runs of one type each: (type, data, ids)."""
-    kinds = np.empty(mesh.element_count, dtype=object)
-    rows = np.empty(mesh.element_count, dtype=np.int64)
-    for name, ids in mesh.element_ids.items():
-        kinds[ids] = name
-        rows[ids] = np.arange(len(ids))
+    """Blocks of the elements in their order, runs of one type each: (type, data), as meshio has them."""
+    names = list(mesh.element_ids)
+    kinds, rows = np.empty((2, mesh.element_count), dtype=np.int64)
+    for k, name in enumerate(names):
+        ids = mesh.element_ids[name]
+        kinds[ids], rows[ids] = k, np.arange(len(ids))
     blocks = []
-    starts = [i for i in range(len(kinds)) if i == 0 or kinds[i] != kinds[i - 1]]
-    for a, b in zip(starts, [*starts[1:], len(kinds)]):
-        name, data = kinds[a], mesh.cells[kinds[a]]
+    for a, b in _runs(kinds):
+        name, data = names[kinds[a]], mesh.cells[names[kinds[a]]]
         first, last = rows[a], rows[b - 1] + 1
         if name == "polygon":
-            blocks += [(name, data[1][data[0][k]:data[0][k + 1]].reshape(1, -1)) for k in range(first, last)]
+            offsets = data[0][first:last + 1]
+            blocks += [(name, data[1][offsets[c]:offsets[d]].reshape(d - c, -1)) for c, d in _runs(np.diff(offsets))]
         elif name == "polyhedron":
-            blocks += [_one_polyhedron(data, k) for k in range(first, last)]
+            cells = [_polyhedron(data, k) for k in range(first, last)]
+            counts = [len(np.unique(np.concatenate(cell))) for cell in cells]
+            blocks += [(f"polyhedron{counts[c]}", cells[c:d]) for c, d in _runs(counts)]
         else:
             blocks.append((name, data[first:last].copy()))
     return blocks
 
 
-def _one_polyhedron(data, k):
+def _polyhedron(data, k):
     cells, faces, nodes = data
-    shape = [nodes[faces[f]:faces[f + 1]].copy() for f in range(cells[k], cells[k + 1])]
-    return f"polyhedron{len(np.unique(np.concatenate(shape)))}", [shape]
+    return [nodes[faces[f]:faces[f + 1]].copy() for f in range(cells[k], cells[k + 1])]
 
 
 def _own_arrays(mesh):
@@ -332,24 +342,44 @@ def to_meshio(mesh):
     return meshio.Mesh(mesh.copy_points(), blocks, cell_sets=sets)
 
 
+def _vtk_offsets(stream, types):
+    """Where each cell begins in VTK's stream, in which the number of its numbers comes first."""
+    sizes = np.array([_VTK_SIZES.get(int(t), 0) for t in np.unique(types)])[np.searchsorted(np.unique(types), types)]
+    if (sizes > 0).all():
+        starts = np.concatenate([[0], np.cumsum(sizes + 1)])
+    else:
+        starts, at = np.empty(len(types) + 1, np.int64), 0
+        for k in range(len(types)):
+            starts[k] = at
+            at += 1 + (int(stream[at]) if at < len(stream) else 0)
+        starts[-1] = at
+    sound = starts[-1] == len(stream) and (np.diff(starts) - 1 == stream[starts[:-1]]).all()
+    if not sound:
+        raise UsageError("found cells of which the number of nodes does not suit celltypes, expected VTK's layout: for "
+                         "each cell the number of its nodes, then the nodes")
+    return starts
+
+
 def _vtk_cells(grid):
-    """Cells of a pyvista grid as (type, nodes) one by one, in runs of one type: a list of (type, list)."""
+    """Cells of a pyvista grid as (type, data), in runs of one type."""
     stream, types = np.asarray(grid.cells), np.asarray(grid.celltypes)
-    runs, at = [], 0
-    for number in types:
-        name = _VTK_TYPES.get(int(number))
-        if name is None:
+    for number in np.unique(types):
+        if int(number) not in _VTK_TYPES:
             raise UsageError(f"found a cell of VTK's type {int(number)}, expected one of first order: "
                              f"{', '.join(map(str, sorted(_VTK_TYPES)))}")
-        length = int(stream[at])
-        cell = stream[at + 1:at + 1 + length]
-        at += 1 + length
+    starts = _vtk_offsets(stream, types)
+    runs = []
+    for a, b in _runs(types):
+        name, part = _VTK_TYPES[int(types[a])], stream[starts[a]:starts[b]]
+        if name in ("polygon", "polyhedron"):
+            cells = [stream[starts[k] + 1:starts[k + 1]] for k in range(a, b)]
+            runs.append((name, [_vtk_polyhedron(cell) for cell in cells] if name == "polyhedron" else cells))
+            continue
+        data = part.reshape(b - a, -1)[:, 1:]
         if name in _VTK_ORDER:
             name, order = _VTK_ORDER[name]
-            cell = cell[order]
-        if not runs or runs[-1][0] != name:
-            runs.append((name, []))
-        runs[-1][1].append(cell)
+            data = data[:, order]
+        runs.append((name, data))
     return runs
 
 
@@ -386,14 +416,7 @@ def from_pyvista(grid):
     -------
     Mesh
     """
-    pairs = []
-    for name, cells in _vtk_cells(grid):
-        if name == "polyhedron":
-            pairs.append((name, [_vtk_polyhedron(cell) for cell in cells]))
-        elif name == "polygon":
-            pairs.append((name, cells))
-        else:
-            pairs.append((name, np.array(cells)))
+    pairs = _vtk_cells(grid)
     sets = _Sets(pairs)
     data = dict(getattr(grid, "cell_data", None) or {})
     field = dict(getattr(grid, "field_data", None) or {})
@@ -433,21 +456,20 @@ def to_pyvista(mesh):
 
 def vtk_arrays(mesh):
     """(cells, celltypes, points) of the elements in VTK's layout, points with three coordinates."""
-    stream, types = [], []
+    stream, types = [np.zeros(0, np.int64)], []
     for name, data in _own_blocks(mesh):
-        for cell in data:
-            if name.startswith("polyhedron"):
-                body = [len(cell)]
-                for face in cell:
-                    body += [len(face), *face]
-            else:
-                body = list(cell)
-            stream += [len(body), *body]
-            types.append(_VTK_NUMBERS[_base(name)])
+        base = _base(name)
+        types += [_VTK_NUMBERS[base]] * len(data)
+        if base == "polyhedron":
+            for cell in data:
+                body = [len(cell), *(number for face in cell for number in (len(face), *face))]
+                stream.append(np.array([len(body), *body]))
+        else:
+            stream.append(np.column_stack([np.full(len(data), data.shape[1]), data]).ravel())
     points = mesh.copy_points()
     if points.shape[1] == 2:
         points = np.column_stack([points, np.zeros(len(points))])
-    return np.array(stream, np.int64), np.array(types, np.uint8), points
+    return np.concatenate(stream).astype(np.int64), np.array(types, np.uint8), points
 
 
 def as_mesh(value):
@@ -468,5 +490,20 @@ def as_mesh(value):
                      "or (points, cells, cell_sets)")
 
 
+def _unpickled(points, blocks, faces, regions, foreign):
+    mesh = Mesh(points, blocks, faces, regions)
+    mesh._foreign = foreign
+    return mesh
+
+
+def _pickled(mesh):
+    """A mesh for other processes: nodes, elements, markers, regions. What its file says besides stays behind."""
+    blocks = _own_blocks(mesh)
+    faces = {name: {kind: part if isinstance(part, tuple) else np.array(part) for kind, part in by_type.items()}
+             for name, by_type in mesh.faces.items()} if mesh.markers_from_file else {}
+    return _unpickled, (mesh.copy_points(), blocks, faces, dict(mesh.regions), mesh._foreign)
+
+
+Mesh.__reduce__ = _pickled
 Mesh.to_meshio = to_meshio
 Mesh.to_pyvista = to_pyvista

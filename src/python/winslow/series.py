@@ -47,7 +47,8 @@ def _steps(markers, rotate, translate, steps, motion):
     """All steps as lists of bodies."""
     if steps is not None:
         if markers is not None or rotate is not None or translate is not None:
-            raise UsageError("found steps together with markers, rotate or translate: expected the motions in steps alone")
+            raise UsageError("found steps together with markers, rotate or translate: expected the motions in steps "
+                             "alone")
         return [[body] if isinstance(body, dict) else list(body) for body in steps]
     if markers is None:
         raise UsageError("nothing to move: give markers, or motions by steps")

@@ -46,7 +46,8 @@ def _entry(row):
     """One option in a docstring."""
     shown = row["shown"]
     lines = [f"{row['name']} : {row['type']}" + (f", default {shown}" if shown else "")]
-    text = row["help"] + (f", {row['unit']}" if row["unit"] else "") + (f" ({row['range']})" if row["range"] else "") + "."
+    text = row["help"] + (f", {row['unit']}" if row["unit"] else "")
+    text += (f" ({row['range']})" if row["range"] else "") + "."
     lines.append(_wrapped(text + (" " + row["advice"] if row["advice"] else "")))
     lines += [_wrapped(f"{name!r}: {help_}" if help_ else repr(name)) for name, help_ in row["choices"]]
     return "\n".join(lines)
