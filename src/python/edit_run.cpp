@@ -33,7 +33,10 @@ EditRun::EditRun(std::string name, MeshPointer source, std::vector<Command> comm
     }
     warn();
   });
-  result_ = result_mesh(*source_, zone_.result.mesh);
+  // Layers alone change the connectivity; polygons may have that of the reference mesh.
+  result_ = result_mesh(*source_, zone_.result.mesh,
+                        zone_.result.mesh.topology != zone_.source.mesh.topology);
+  zone_.result.vcvs = {};  // as large as the mesh, and of no use for reports
 }
 
 void EditRun::warn() {

@@ -94,6 +94,9 @@ std::vector<MovingBody> bodies_of(const py::handle& given) {
 
 app::ZoneRun prepared_zone(const MeshValue& mesh, std::vector<Command> commands,
                            const RunArguments& arguments, std::vector<std::string>& remarks) {
+  if (mesh.file.defective)
+    throw UsageError(name_of(mesh) +
+                     " is no sound mesh, read to be shown: read it with repair=True");
   for (const Command& command : commands)
     if (const SmoothOptions* options = smooth_options(command)) validate(*options);
   std::vector<io::MeshFile> files{mesh.file};

@@ -172,9 +172,8 @@ MeshPointer with_coordinates(const MeshValue& mesh, Coordinates x) {
   return moved;
 }
 
-MeshPointer result_mesh(const MeshValue& source, Mesh mesh) {
-  if (mesh.topology == source.file.mesh.topology)
-    return with_coordinates(source, std::move(mesh.coordinates));
+MeshPointer result_mesh(const MeshValue& source, Mesh mesh, bool new_connectivity) {
+  if (!new_connectivity) return with_coordinates(source, std::move(mesh.coordinates));
   auto made = std::make_shared<MeshValue>();
   made->file.details = source.file.details;
   made->file.format = source.file.format;

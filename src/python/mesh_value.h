@@ -27,9 +27,9 @@ using MeshPointer = std::shared_ptr<MeshValue>;
 
 /// The same mesh with other coordinates. Needs the GIL.
 MeshPointer with_coordinates(const MeshValue& mesh, Coordinates x);
-/// The mesh that a command made of another one. With a new connectivity it keeps nothing of what is
-/// known of single nodes and elements. Needs the GIL.
-MeshPointer result_mesh(const MeshValue& source, Mesh mesh);
+/// The mesh that a command made of another one. new_connectivity: it keeps nothing of what is known
+/// of single nodes and elements. Needs the GIL.
+MeshPointer result_mesh(const MeshValue& source, Mesh mesh, bool new_connectivity);
 
 /// Adds Mesh, read and write to the module.
 void bind_mesh(pybind11::module_& module);

@@ -2,6 +2,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include "core/error.h"
 #include "core/strategy/run.h"
 
 namespace winslow::python {
@@ -10,7 +11,7 @@ namespace winslow::python {
 /// the handlers of signals, so that Ctrl-C ends the run.
 ///
 ///     PythonMonitor monitor(progress);
-///     const auto result = monitor.run([&] { return winslow::execute(command, state, options); });
+///     monitor.run([&] { result = winslow::execute(command, state, options); });
 class PythonMonitor final : public SolverMonitor {
  public:
   /// progress: called with each IterationRecord; False cancels. None: nothing is called.
@@ -22,14 +23,15 @@ class PythonMonitor final : public SolverMonitor {
   /// Runs work() without the GIL. Throws what it throws, and the exception of Python that cancelled
   /// it: that of the callback, KeyboardInterrupt.
   template <class Work>
-  auto run(const Work& work) {
+  void run(const Work& work) {
     try {
       const pybind11::gil_scoped_release released;
-      return work();
+      work();
     } catch (const Cancelled&) {
-      if (raised_) std::rethrow_exception(std::exchange(raised_, nullptr));
-      throw;
+      if (!raised_) throw;
     }
+    // Also where the run had ended before it saw that it was to end.
+    if (raised_) std::rethrow_exception(std::exchange(raised_, nullptr));
   }
 
  private:

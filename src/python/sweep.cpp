@@ -77,7 +77,7 @@ class PythonSeries final : public SeriesMonitor {
     step["mesh"] = py::none();
     if (result.run) {
       const SmoothResult& smooth = result.run->smooth;
-      step["mesh"] = result_mesh(*mesh_, result.run->state.mesh);
+      step["mesh"] = result_mesh(*mesh_, result.run->state.mesh, false);
       step["inverted"] = smooth.inverted;
       step["converged"] = smooth.converged;
       step["fraction_reached"] = smooth.fraction_reached;

@@ -125,6 +125,12 @@ class Results(PackageTest):
             winslow.scramble(ring())
         self.assertGreater(raised.exception.result.inverted, 0)
 
+    def test_a_result_that_is_not_converged(self):
+        with self.assertWarnsRegex(winslow.MeshWarning, "not converged"):
+            result = winslow.move(ring(), "body", rotate=40, max_iterations=1)
+        self.assertFalse(result.converged)
+        self.assertTrue(result.warnings)
+
     def test_wrong_use(self):
         mesh = ring()
         for call, text in (

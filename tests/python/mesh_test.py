@@ -43,6 +43,25 @@ class Reading(PackageTest):
         with self.assertRaisesRegex(winslow.UsageError, "zone"):
             winslow.read(ASSETS / "naca0012.su2", zone=7)
 
+    def test_errors_of_binary_files(self):
+        path = self.folder / "cut.msh"
+        path.write_bytes((DATA / "square_41b.msh").read_bytes()[:200])
+        with self.assertRaises(winslow.InputError) as raised:
+            winslow.read(path)
+        self.assertEqual(raised.exception.file, str(path))
+        self.assertTrue(raised.exception.byte or raised.exception.line, str(raised.exception))
+
+    def test_a_file_that_is_no_sound_mesh(self):
+        path = self.folder / "twice.su2"
+        path.write_text("NDIME= 2\nNELEM= 2\n5 0 1 2\n5 0 1 2\nNPOIN= 3\n0 0\n1 0\n0 1\nNMARK= 0\n")
+        with self.assertRaisesRegex(winslow.InputError, "option repair mends it"):
+            winslow.read(path)
+        shown = winslow.read(path, show=True)
+        self.assertEqual(winslow.quality(path)["elements"], shown.element_count)
+        with self.assertRaisesRegex(winslow.UsageError, "repair=True"):
+            winslow.smooth(shown)
+        self.assertEqual(winslow.read(path, repair=True).element_count, 1)
+
     def test_warnings_are_issued_and_kept(self):
         path = self.folder / "loose.su2"
         path.write_text("NDIME= 2\nNELEM= 1\n5 0 1 2\nNPOIN= 4\n0 0\n1 0\n0 1\n5 5\nNMARK= 1\nMARKER_TAG= wall\n"

@@ -29,5 +29,5 @@ for _class in (Iteration, Mesh):
 __all__ = ["Cancelled", "Error", "IncompleteMotion", "InputError", "Iteration", "Mesh", "MeshError", "MeshWarning",
            "NumericError", "OutputError", "Picture", "Quality", "Result", "Sensitivity", "Step", "UsageError",
            "__version__", "as_mesh", "convert", "deform", "fields", "from_meshio", "from_pyvista", "layers", "move",
-           "plot", "quality", "read", "render", "replay", "scramble", "smooth", "sweep", "to_meshio", "to_pyvista", "untangle",
-           "values", "write"]
+           "plot", "quality", "read", "render", "replay", "scramble", "smooth", "sweep", "to_meshio", "to_pyvista",
+           "untangle", "values", "write"]

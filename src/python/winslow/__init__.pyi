@@ -2092,9 +2092,12 @@ def plot(
     """The mesh as a picture that a notebook shows: `render` with its options."""
 
 def as_mesh(
-    value: MeshLike
+    value: MeshLike, show: bool = False
 ) -> Mesh:
-    """A mesh from what a function was given: a mesh, a file, a foreign mesh, or (points, cells[, sets])."""
+    """A mesh from what a function was given: a mesh, a file, a foreign mesh, or (points, cells[, sets]).
+
+    show: as of `read`.
+    """
 
 def from_meshio(
     m: Any

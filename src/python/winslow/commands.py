@@ -205,7 +205,7 @@ def quality(mesh, *, worst=10, bins=20, threads=0):
     """
     if not 0 <= worst <= 1000000 or not 1 <= bins <= 1000 or not 0 <= threads <= 4096:
         raise UsageError("quality: expected worst from 0 to 1000000, bins from 1 to 1000, threads from 0 to 4096")
-    return quality_of(as_mesh(mesh), worst, bins, threads)
+    return quality_of(as_mesh(mesh, show=True), worst, bins, threads)
 
 
 def values(mesh, field, *, before=None):
@@ -225,9 +225,9 @@ def values(mesh, field, *, before=None):
     numpy.ndarray (elements,) float64
         NaN for elements without a value.
     """
-    return _winslow.values(as_mesh(mesh), field, None if before is None else as_mesh(before))
+    return _winslow.values(as_mesh(mesh, show=True), field, None if before is None else as_mesh(before))
 
 
 def fields(mesh):
     """The names that `values` and the colours of pictures take for a mesh: a list of str."""
-    return _winslow.fields(as_mesh(mesh))
+    return _winslow.fields(as_mesh(mesh, show=True))

@@ -5,7 +5,7 @@ All derive from `Error`. A message is one sentence for the user, as the program 
 
 import re
 
-_PLACE = re.compile(r"(?P<file>.+?):(?:(?P<line>\d+)|byte (?P<byte>\d+)|.+?: byte (?P<later>\d+)): ", re.S)
+_PLACE = re.compile(r"(?P<file>.+?):(?:(?P<line>\d+)|(?: [^:]*:)* byte (?P<byte>\d+)): ", re.S)
 
 
 class Error(Exception):
@@ -34,8 +34,7 @@ class InputError(Error, OSError):
         found = _PLACE.match(str(message))
         self.file = found["file"] if found else None
         self.line = int(found["line"]) if found and found["line"] else None
-        byte = found and (found["byte"] or found["later"])
-        self.byte = int(byte) if byte else None
+        self.byte = int(found["byte"]) if found and found["byte"] else None
 
 
 class OutputError(Error, OSError):

@@ -472,14 +472,17 @@ def vtk_arrays(mesh):
     return np.concatenate(stream).astype(np.int64), np.array(types, np.uint8), points
 
 
-def as_mesh(value):
-    """A mesh from what a function was given: a mesh, a file, a foreign mesh, or (points, cells[, sets])."""
+def as_mesh(value, show=False):
+    """A mesh from what a function was given: a mesh, a file, a foreign mesh, or (points, cells[, sets]).
+
+    show: as of `read`.
+    """
     if isinstance(value, Mesh):
         return value
     if isinstance(value, (str, os.PathLike)):
         from .files import read
 
-        return read(value)
+        return read(value, show=show)
     if _is_pyvista(value):
         return from_pyvista(value)
     if _is_meshio(value):

@@ -85,7 +85,7 @@ def render(mesh, path=None, **options):
     Error
         There is no OpenGL (EGL), or the build has no graphics.
     """
-    png = _winslow.picture(as_mesh(mesh), "" if path is None else os.fspath(path), options)
+    png = _winslow.picture(as_mesh(mesh, show=True), "" if path is None else os.fspath(path), options)
     return png if path is None else None
 
 

@@ -77,6 +77,8 @@ def checked(name, run, allow_inverted, allow_incomplete):
                  "(allow_incomplete=True returns the mesh there)")
     if fault:
         raise IncompleteMotion(fault, result)
+    if result.complete and not result.converged:
+        result.warnings.append("not converged: within the limit of iterations, or with nothing gained any more")
     say(result.warnings, 4)
     return result
 
