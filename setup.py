@@ -2,7 +2,7 @@
 
 Environment:
   WINSLOW_BUILD_FOLDER   a build folder of CMake with -DWINSLOW_BUILD_PYTHON=ON to take the extension from;
-                         without it one is made, which takes minutes
+                         without it build/wheel-cmake is made, which takes minutes
   WINSLOW_CMAKE_ARGS     more arguments for CMake, such as -DWINSLOW_BUILD_GUI=OFF
 """
 
@@ -31,7 +31,7 @@ class CMakeExtension(build_ext):
 
     def build_extension(self, ext):
         given = os.environ.get("WINSLOW_BUILD_FOLDER")
-        folder = pathlib.Path(given or self.build_temp).resolve()
+        folder = pathlib.Path(given or ROOT / "build" / "wheel-cmake").resolve()
         if not given:
             folder.mkdir(parents=True, exist_ok=True)
             generator = ["-G", "Ninja"] if shutil.which("ninja") else []

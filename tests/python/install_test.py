@@ -8,7 +8,7 @@ import tempfile
 import unittest
 import zipfile
 
-from support import ASSETS, ROOT, PackageTest, main
+from support import ASSETS, PLAIN, ROOT, PackageTest, main
 
 BUILD = pathlib.Path(os.environ.get("WINSLOW_BUILD_FOLDER", ""))
 USE = """
@@ -33,7 +33,7 @@ class Installed(PackageTest):
 
     def test_installed_by_cmake(self):
         run = subprocess.run(["cmake", "--install", BUILD, "--prefix", self.folder, "--component", "python"],
-                             capture_output=True, text=True, check=False)
+                             capture_output=True, text=True, check=False, env=PLAIN)
         self.assertEqual(run.returncode, 0, run.stderr)
         package = self.folder / "lib" / "python3" / "dist-packages" / "winslow"
         names = {path.name for path in package.iterdir()}
@@ -43,7 +43,7 @@ class Installed(PackageTest):
 
     def test_wheel(self):
         # Where pip builds: not in the source tree, of which several runs may build at once.
-        environment = {**os.environ, "WINSLOW_BUILD_FOLDER": str(BUILD)}
+        environment = {**PLAIN, "WINSLOW_BUILD_FOLDER": str(BUILD)}
         run = subprocess.run([sys.executable, "-m", "pip", "wheel", str(ROOT), "--no-build-isolation", "--no-deps",
                               "--quiet", "--wheel-dir", str(self.folder), "--disable-pip-version-check"],
                              cwd=self.folder, env=environment, capture_output=True, text=True, check=False)

@@ -16,6 +16,8 @@ import winslow
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ASSETS, DATA = ROOT / "assets", ROOT / "tests" / "data"
 PROGRAM = os.environ.get("WINSLOW", "")
+# For other programs than the interpreter: these have a sanitizer of their own, or none.
+PLAIN = {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
 HAS_GUI = os.environ.get("WINSLOW_HAS_GUI") == "1"
 
 
@@ -35,7 +37,7 @@ class PackageTest(unittest.TestCase):
         if not PROGRAM:
             self.skipTest("the program is not built")
         run = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True,
-                             check=False)
+                             check=False, env=PLAIN)
         self.assertEqual(run.returncode, code, run.stdout + run.stderr)
         return run
 
