@@ -56,6 +56,14 @@ class LikeTheProgram(PackageTest):
         result = winslow.layers(mesh, "airfoil", count=5, first=1e-3, ratio=1.2)
         self.same(result, "layers", mesh, "--marker", "airfoil", "--count", 5, "--first", 1e-3, "--ratio", 1.2)
         self.assertIn("quad", result.mesh.cells)
+        walls = [{"markers": "airfoil", "first": 2e-3}]
+        self.same(winslow.layers(mesh, walls=walls, columns={0: {"columns": 1}}, count=4, ratio=1.3),
+                  "layers", mesh, "--wall", "airfoil:first=2e-3", "--count", 4, "--ratio", 1.3, "--column", "0:columns=1")
+        self.same(winslow.layers(mesh, "airfoil", y_plus=50, reynolds=1e6, count=3),
+                  "layers", mesh, "--marker", "airfoil", "--y-plus", 50, "--reynolds", 1e6, "--count", 3)
+        held = winslow.move(result.mesh, "airfoil", rotate=-3, hold_layers="airfoil")
+        winslow.write(result.mesh, self.folder / "layered.su2")
+        self.same(held, "move", "layered.su2", "--marker", "airfoil", "--rotate", -3, "--hold-layers", "airfoil")
 
     def test_scramble_and_untangle(self):
         scrambled = winslow.scramble(COARSE, seed=3, allow_inverted=True)
@@ -159,6 +167,13 @@ class Results(PackageTest):
                 (lambda: winslow.move(mesh, "body", rotate=1, reference=ring(around=12)), "nodes"),
                 (lambda: winslow.layers(mesh, count=3), "no wall"),
                 (lambda: winslow.layers(mesh, "body", y_plus=1), "reynolds"),
+                (lambda: winslow.layers(mesh, "body", y_plus="thin", reynolds=1e6), "y_plus: found 'thin'"),
+                (lambda: winslow.layers(mesh, "body", columns={3: {"columns": 1.5}}), "whole number"),
+                (lambda: winslow.layers(mesh, "body", columns={3: {"colums": 1}}), "did you mean columns"),
+                (lambda: winslow.layers(mesh, walls=[{"markers": "body", "frst": 1}]), "did you mean first"),
+                (lambda: winslow.layers(mesh, walls="body"), "list of dicts"),
+                (lambda: winslow.move(mesh, bodies="body"), "list of dicts"),
+                (lambda: winslow.deform(mesh, "body", sine=3), "expected a dict"),
                 (lambda: winslow.values(mesh, "beauty"), "expected")):
             with self.subTest(text):
                 with self.assertRaisesRegex(winslow.UsageError, text):

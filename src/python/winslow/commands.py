@@ -10,6 +10,30 @@ from .results import checked, quality_of
 from .tables import documented
 
 
+def _dicts(what, given):
+    """Raises UsageError unless an argument is a sequence of dicts, or None."""
+    if given is not None and not (isinstance(given, (list, tuple)) and all(isinstance(one, dict) for one in given)):
+        raise UsageError(f"{what}: found {given!r}, expected a list of dicts")
+
+
+def _number(what, given, kind):
+    """A float or an int; raises UsageError for anything else."""
+    if isinstance(given, bool) or not hasattr(given, "__float__" if kind is float else "__index__"):
+        raise UsageError(f"{what}: found {given!r}, expected {'a number' if kind is float else 'a whole number'}")
+    return kind(given)
+
+
+def _columns(given):
+    """What single columns of layers are to have, with numbers of Python."""
+    if given is None:
+        return None
+    if not isinstance(given, dict) or not all(isinstance(own, dict) for own in given.values()):
+        raise UsageError("columns: expected a dict of nodes to dicts with columns and thickness")
+    kinds = {"columns": int}
+    return {_number("columns", node, int): {key: _number(f"columns[{node}] {key}", value, kinds.get(key, float))
+                                            for key, value in own.items()} for node, own in given.items()}
+
+
 def _run(name, run, mesh, options, *arguments):
     """Carries a command out, and raises what is to be raised."""
     allow_inverted = bool(options.pop("allow_inverted", False))
@@ -71,6 +95,7 @@ def move(mesh, markers=None, *, bodies=None, **options):
         In place of `markers`: bodies that move at the same time, each a dict with `markers` and the
         options rotate, translate, pivot, axis.
     """
+    _dicts("bodies", bodies)
     return _run("move", _winslow.move, mesh, options, markers, bodies)
 
 
@@ -98,6 +123,8 @@ def deform(mesh, markers=None, *, displacements=None, positions=None, nodes=None
     """
     given = [name for name, value in (("displacements", displacements), ("positions", positions), ("sine", sine))
              if value is not None]
+    if sine is not None and not isinstance(sine, dict):
+        raise UsageError(f"sine: found {sine!r}, expected a dict with amplitude and waves")
     if len(given) != 1:
         raise UsageError("give either displacements, positions or sine")
     mesh, numbers = as_mesh(mesh), positions if displacements is None else displacements
@@ -150,7 +177,11 @@ def layers(mesh, markers=None, *, walls=None, columns=None, **options):
         In place of `first`: the wanted y+ of the first node by the friction of a flat plate, with the
         Reynolds number of the reference length (1).
     """
-    return _run("layers", _winslow.layers, mesh, options, markers, walls, columns)
+    _dicts("walls", walls)
+    for name in ("y_plus", "reynolds", "reference_length"):
+        if options.get(name) is not None:
+            options[name] = _number(name, options[name], float)
+    return _run("layers", _winslow.layers, mesh, options, markers, walls, _columns(columns))
 
 
 @documented("scramble")
