@@ -58,7 +58,8 @@ class LikeTheProgram(PackageTest):
         self.assertIn("quad", result.mesh.cells)
         walls = [{"markers": "airfoil", "first": 2e-3}]
         self.same(winslow.layers(mesh, walls=walls, columns={0: {"columns": 1}}, count=4, ratio=1.3),
-                  "layers", mesh, "--wall", "airfoil:first=2e-3", "--count", 4, "--ratio", 1.3, "--column", "0:columns=1")
+                  "layers", mesh, "--wall", "airfoil:first=2e-3", "--count", 4, "--ratio", 1.3,
+                  "--column", "0:columns=1")
         self.same(winslow.layers(mesh, "airfoil", y_plus=50, reynolds=1e6, count=3),
                   "layers", mesh, "--marker", "airfoil", "--y-plus", 50, "--reynolds", 1e6, "--count", 3)
         held = winslow.move(result.mesh, "airfoil", rotate=-3, hold_layers="airfoil")
