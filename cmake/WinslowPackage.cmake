@@ -1,5 +1,5 @@
-# Debian packages: `cpack -G DEB` in the build folder makes winslow (the program) and libwinslow-dev (the
-# library). What the program needs to run is asked of dpkg-shlibdeps; what it loads only to draw, and what
+# Debian packages: `cpack -G DEB` in the build folder makes winslow (the program), libwinslow-dev (the
+# library) and python3-winslow (the Python package, where it is built). What the program needs to run is asked of dpkg-shlibdeps; what it loads only to draw, and what
 # a client of the static libraries links, is named here.
 set(CPACK_PACKAGE_NAME winslow)
 set(CPACK_PACKAGE_VENDOR "The winslow authors")
@@ -13,6 +13,10 @@ if(WINSLOW_BUILD_APP)
   list(APPEND CPACK_COMPONENTS_ALL program)
 endif()
 
+if(WINSLOW_BUILD_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -24,6 +28,16 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 if(WINSLOW_BUILD_GUI AND NOT WINSLOW_WITH_OSMESA)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libegl1, libegl-mesa0, libgl1-mesa-dri, fonts-inter, fonts-fork-awesome")
+endif()
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-winslow)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+    "Python package of winslow, which moves and smooths unstructured meshes: the commands of the program on arrays of numpy.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy")
+if(WINSLOW_BUILD_GUI AND NOT WINSLOW_WITH_OSMESA)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "libegl1, libegl-mesa0, libgl1-mesa-dri, fonts-inter, fonts-fork-awesome")
 endif()
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libwinslow-dev)

@@ -43,4 +43,12 @@ if compgen -G "$work/winslow_*.deb" >/dev/null; then
   dpkg-deb --extract "$work"/winslow_*.deb "$work/root"
   "$work/root/usr/bin/winslow" --version
 fi
+if compgen -G "$work/python3-winslow_*.deb" >/dev/null; then
+  asks python3-winslow Depends 'python3-numpy'
+  asks python3-winslow Depends 'libstdc\+\+6'
+  holds python3-winslow lib/python3/dist-packages/winslow/__init__.py share/doc/python3-winslow/copyright
+  dpkg-deb --extract "$work"/python3-winslow_*.deb "$work/root"
+  (cd "$work" && PYTHONPATH=$work/root/usr/lib/python3/dist-packages /usr/bin/python3 -B -c \
+    "import winslow; assert winslow.__file__.startswith('$work'), winslow.__file__")
+fi
 ls "$work"/*.deb

@@ -64,17 +64,23 @@ std::vector<MovingBody> turned_bodies(const Command& command) {
   return turned;
 }
 
-CommandRecord make_record(const Command& command, SmoothResult result) {
+}  // namespace
+
+CommandRecord make_record(const Command& command, SmoothResult result, const Mesh& after) {
   CommandRecord record;
   record.name = command_name(command);
   record.description = describe(command);
   record.result = std::move(result);
   record.turned = turned_bodies(command);
+  record.dimension = after.coordinates.dimension();
+  record.on_surface = is_surface(*after.topology);
   if (const SmoothOptions* options = smooth_options(command)) {
     record.formulation = formulation_name(options->formulation);
   }
   return record;
 }
+
+namespace {
 
 /// Applies one command to a zone.
 CommandRecord apply(const ResolvedCommand& resolved, ZoneRun& zone, bool all_or_nothing,
@@ -87,9 +93,7 @@ CommandRecord apply(const ResolvedCommand& resolved, ZoneRun& zone, bool all_or_
   monitor.set_label(printable((name.empty() ? "" : name + ": ") + describe(command)));
   CommandResult result = execute(resolved, zone.result, options);
   InterruptGuard::check();
-  CommandRecord record = make_record(command, std::move(result.smooth));
-  record.dimension = result.state.mesh.coordinates.dimension();
-  record.on_surface = is_surface(*result.state.mesh.topology);
+  CommandRecord record = make_record(command, std::move(result.smooth), result.state.mesh);
   if (!name.empty()) {
     record.description.insert(0, name + ": ");
     record.zone = zone.number();
@@ -277,6 +281,8 @@ std::vector<ZoneRun> load(EditJob& job, RunReport& run) {
   return zones;
 }
 
+}  // namespace
+
 void measure(ZoneRun& zone, const QualityOptions& options) {
   const Mesh& before = zone.source.mesh;
   QualityOptions of_source = options, compared = options;
@@ -295,12 +301,10 @@ nlohmann::json make_report(const std::vector<ZoneRun>& zones, const RunReport& r
     results.push_back({zone.number(), &zone.result.mesh, &zone.quality, &zone.before,
                        zone.result.layers ? &*zone.result.layers : nullptr,
                        zone.surface ? &*zone.surface : nullptr});
-    results.back().regions_array = zone.source.details->regions_array;
+    if (zone.source.details) results.back().regions_array = zone.source.details->regions_array;
   }
   return describe_run(run, results);
 }
-
-}  // namespace
 
 ExitCode run_edit_job(const EditJob& given) {
   EditJob job = given;

@@ -63,6 +63,13 @@ void check_markers(const std::vector<Command>& commands, const Topology& topolog
 void check_markers(const std::vector<Command>& commands,
                    const std::vector<const Topology*>& topologies, const std::string& file);
 
+/// The record of a command for a report. after: the mesh that it left.
+CommandRecord make_record(const Command& command, SmoothResult result, const Mesh& after);
+/// Measures the mesh of a zone before and after a run.
+void measure(ZoneRun& zone, const QualityOptions& options);
+/// What --report writes of a run.
+nlohmann::json make_report(const std::vector<ZoneRun>& zones, const RunReport& run);
+
 /// A run that reads a mesh, applies commands and writes the result.
 struct EditJob {
   std::string name;  ///< the subcommand

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csetjmp>
+#include <sstream>
 
 #include "core/error.h"
 #include "io/file/atomic_file.h"
@@ -37,22 +38,28 @@ bool encode(png_structp png, png_infop info, const Image& image, std::ostream& o
 
 }  // namespace
 
-void write_png(const std::filesystem::path& path, const Image& image, PngEffort effort) {
+std::string png_of(const Image& image, PngEffort effort) {
   const auto width = static_cast<std::size_t>(image.width);
   const auto height = static_cast<std::size_t>(image.height);
-  if (image.width <= 0 || image.height <= 0 || image.rgba.size() != 4 * width * height) {
-    throw OutputError(path.string() + ": the picture is empty");
-  }
+  if (image.width <= 0 || image.height <= 0 || image.rgba.size() != 4 * width * height) return {};
   std::vector<png_bytep> rows(height);
   for (std::size_t y = 0; y < height; ++y) {
     rows[y] = const_cast<png_bytep>(image.rgba.data() + 4 * width * y);
   }
+  std::ostringstream out;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  const bool good = info != nullptr && encode(png, info, image, out, rows.data(), effort);
+  png_destroy_write_struct(&png, &info);
+  return good ? std::move(out).str() : std::string();
+}
+
+void write_png(const std::filesystem::path& path, const Image& image, PngEffort effort) {
+  const std::string bytes = png_of(image, effort);
+  if (bytes.empty())
+    throw OutputError(path.string() + ": the picture is empty, or could not be encoded as PNG");
   io::write_atomically(path, [&](std::ostream& out) {
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
-    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
-    const bool good = info != nullptr && encode(png, info, image, out, rows.data(), effort);
-    png_destroy_write_struct(&png, &info);
-    if (!good) throw OutputError(path.string() + ": the picture could not be encoded as PNG");
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace winslow::gui {
@@ -22,6 +23,9 @@ enum class PngEffort { normal, little };
 /// Writes a PNG, first under a temporary name. Throws OutputError.
 void write_png(const std::filesystem::path& path, const Image& image,
                PngEffort effort = PngEffort::normal);
+
+/// The same as bytes: an empty string where the picture is empty or could not be encoded.
+std::string png_of(const Image& image, PngEffort effort = PngEffort::normal);
 
 /// Reads a PNG of any colour type. Throws InputError.
 Image read_png(const std::filesystem::path& path);
