@@ -1,12 +1,15 @@
 // The cost of derivatives by the boundary, and of the steps of a session, beside linear solves.
 //
-//   bench/sensitivity_bench MESH --marker NAME [--threads N] [--steps K] [--periods P]
+//   bench/sensitivity_bench MESH --marker NAME [--threads N] [--steps K] [--periods P] [--tolerance
+//   T]
 //
 // The marker oscillates: up and down by a tenth of its size, and it bends by as much. First at one
 // mesh on the way: a tight linear solve (factors or hierarchy, and one right-hand side to 1e-12) as
-// MeshSensitivity makes it, and products with the derivative and its transpose. Then the steps of P
-// periods of K steps by a MovingMesh: CPU time and linear solves of a step, and how far the mesh is
-// off after each period. All times are CPU times of all threads.
+// MeshSensitivity makes it, and products with the derivative and its transpose. Then P periods of K
+// steps by a Deformer, with the tolerance T a step: CPU time and linear solves of a step, how far
+// the mesh of a quarter of the period is from that of the first one, and the steps' slowest. At the
+// end the mesh of that quarter, solved to 1e-10, beside the one of a new Deformer. All times are
+// CPU times of all threads.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -16,12 +19,11 @@
 #include <vector>
 
 #include "core/command/local_command.h"
-#include "core/command/moving_mesh.h"
 #include "core/error.h"
 #include "core/formulation/variational_form.h"
 #include "core/linear/linear_solver.h"
 #include "core/motion/node_table.h"
-#include "core/sensitivity/mesh_sensitivity.h"
+#include "core/session/deformer.h"
 #include "io/format/mesh_file.h"
 
 namespace {
@@ -31,12 +33,14 @@ using namespace winslow;
 struct Request {
   std::string mesh, marker;
   int threads = 1, steps = 20, periods = 2;
+  double tolerance = 1e-4;  // of a step
 };
 
 Request read_request(const std::vector<std::string>& arguments) {
   Request out;
   const char* usage =
-      "usage: sensitivity_bench MESH --marker NAME [--threads N] [--steps K] [--periods P]";
+      "usage: sensitivity_bench MESH --marker NAME [--threads N] [--steps K] [--periods P] "
+      "[--tolerance T]";
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& key = arguments[i];
     if (!key.starts_with("--")) {
@@ -53,6 +57,8 @@ Request read_request(const std::vector<std::string>& arguments) {
       out.steps = number;
     else if (key == "--periods")
       out.periods = number;
+    else if (key == "--tolerance")
+      out.tolerance = std::atof(arguments[i].c_str());
     else
       throw UsageError(usage);
   }
@@ -135,32 +141,52 @@ void measure_products(const Request& request, const MeshState& state) {
               forward / solve);
 }
 
+double apart(const Coordinates& a, const Coordinates& b) {
+  double off = 0;
+  for (std::size_t i = 0; i < a.values().size(); ++i)
+    off = std::max(off, std::abs(a.values()[i] - b.values()[i]));
+  return off;
+}
+
+/// A step of a session, to the phase.
+CommandResult step_to(const Request& request, Deformer& deformer, double phase, double tolerance) {
+  DeformCommand command = command_at(request, deformer.given().mesh, phase);
+  deformer.set_shape({request.marker}, std::move(command.shape));
+  return deformer.step(tolerance);
+}
+
 void measure_session(const Request& request, const MeshState& state) {
-  MovingMesh moving(state);
+  DeformerOptions options;
+  options.smooth.threads = request.threads;
+  Deformer deformer(state, options);
   Coordinates first;
   for (int period = 0; period < request.periods; ++period) {
-    double seconds = 0;
+    double seconds = 0, slowest = 0;
     int solves = 0;
     Index inverted = 0;
     Coordinates last;
     for (int step = 1; step <= request.steps; ++step) {
-      const double phase = 2 * pi * step / request.steps;
-      const DeformCommand command = command_at(request, state.mesh, phase);
       const double begin = cpu_seconds();
-      const CommandResult result = moving.to(command);
-      seconds += cpu_seconds() - begin;
+      const CommandResult result =
+          step_to(request, deformer, 2 * pi * step / request.steps, request.tolerance);
+      const double took = cpu_seconds() - begin;
+      seconds += took;
+      slowest = std::max(slowest, took);
       solves += result.smooth.linear_solves;
       inverted += result.smooth.inverted;
       if (step == request.steps / 4) last = result.state.mesh.coordinates;
     }
     if (period == 0) first = last;
-    double off = 0;
-    for (std::size_t i = 0; i < last.values().size(); ++i)
-      off = std::max(off, std::abs(last.values()[i] - first.values()[i]));
-    std::printf("period %d: %.3f s and %.2f linear solves a step, %d inverted, off by %.1e\n",
-                period + 1, seconds / request.steps, static_cast<double>(solves) / request.steps,
-                static_cast<int>(inverted), off);
+    std::printf(
+        "period %d: %.3f s (at most %.3f) and %.2f linear solves a step, %d inverted, off by "
+        "%.1e\n",
+        period + 1, seconds / request.steps, slowest, static_cast<double>(solves) / request.steps,
+        static_cast<int>(inverted), apart(first, last));
   }
+  Deformer anew(state, options);
+  std::printf("drift: %.1e\n",
+              apart(step_to(request, deformer, 0.5 * pi, 1e-10).state.mesh.coordinates,
+                    step_to(request, anew, 0.5 * pi, 1e-10).state.mesh.coordinates));
 }
 
 }  // namespace

@@ -12,12 +12,12 @@
 namespace {
 
 /// The flap turned from where it is in the mesh as given, in degrees.
-winslow::MoveCommand turned_flap(double degrees) {
-  winslow::MoveCommand move;
-  move.bodies[0].markers = {"flap"};
-  move.bodies[0].motion.rotate = degrees;
-  move.bodies[0].motion.axis = winslow::Vec3(0.2555, 0.038, 1.5);  // the swept hinge
-  return move;
+winslow::MovingBody turned_flap(double degrees) {
+  winslow::MovingBody flap;
+  flap.markers = {"flap"};
+  flap.motion.rotate = degrees;
+  flap.motion.axis = winslow::Vec3(0.2555, 0.038, 1.5);  // the swept hinge
+  return flap;
 }
 
 }  // namespace
@@ -28,12 +28,13 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    winslow::MovingMesh moving(winslow::make_state(winslow::io::read_mesh(argv[1]).mesh));
+    winslow::Deformer deformer(winslow::make_state(winslow::io::read_mesh(argv[1]).mesh));
     constexpr int steps = 4;
     for (int step = 1; step <= steps; ++step) {
       const double time = 0.0125 * step;
       const double angle = -10 * std::sin(2 * std::numbers::pi * time);
-      const winslow::CommandResult now = moving.to(turned_flap(angle));
+      deformer.set_motion({turned_flap(angle)});
+      const winslow::CommandResult now = deformer.step();
       if (now.smooth.inverted > 0 || now.smooth.fraction_reached < 1) {
         std::fprintf(stderr, "t = %.4f: %s\n", time, winslow::why_incomplete(now.smooth).c_str());
         return 4;

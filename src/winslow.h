@@ -6,7 +6,6 @@
 
 #include "core/command/command.h"
 #include "core/command/history.h"
-#include "core/command/moving_mesh.h"
 #include "core/command/option_tables.h"
 #include "core/command/series.h"
 #include "core/drag/drag_session.h"
@@ -22,6 +21,8 @@
 #include "core/quality/metric.h"
 #include "core/quality/openfoam_measures.h"
 #include "core/quality/quality.h"
+#include "core/sensitivity/mesh_sensitivity.h"
+#include "core/session/deformer.h"
 #include "core/strategy/run.h"
 #include "core/version.h"
 

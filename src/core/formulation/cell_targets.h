@@ -63,6 +63,13 @@ struct CellTargets {
   }
 };
 
+/// Targets of some of the cells of a mesh.
+template <int D>
+struct TargetsOfSome {
+  CellTargets<D> targets;
+  std::vector<Index> cells;  ///< of each of their cells, its number among all
+};
+
 /// Makes all elements isotropic, including those that were stretched:
 ///
 ///     winslow::SmoothCommand smooth;

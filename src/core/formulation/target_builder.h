@@ -86,7 +86,7 @@ class TargetBuilder {
     if (count > most * static_cast<double>(lost_.size())) lost_.assign(lost_.size(), 1);
     return count;
   }
-  bool is_lost(Index e) const { return lost_[at(e)] != 0; }
+  bool is_lost(Index e) const { return !lost_.empty() && lost_[at(e)] != 0; }
   [[noreturn]] static void refuse_rest(Index e, const char* fault) { throw TangledRest(e, fault); }
 
   const Topology& topology_;
@@ -98,7 +98,8 @@ class TargetBuilder {
   const WallStretch* wall_stretch_;  // null: no wall is stretched
   const ElementRoles* roles_;        // null: all ordinary
   StretchField stretch_;             // if the blend has an `automatic` share
-  std::vector<unsigned char> lost_;  // #elements, under `keep`: it has no shape of its own
+  std::vector<unsigned char>
+      lost_;  // #elements, under `keep`: it has no shape of its own; empty: not looked for
 };
 
 }  // namespace winslow

@@ -80,5 +80,11 @@ CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
                               const TargetBlend& blend, const Coordinates* given, int threads = 0,
                               std::span<const Index> urgent = {},
                               const VolumeTargetDetails& details = {});
+/// Those of some elements (ascending), whatever share of the elements has no shape to keep.
+TargetsOfSome<3> volume_targets_of(std::span<const Index> elements, const Topology& topology,
+                                   const VolumeVcvs* vcvs, const TargetBlend& blend,
+                                   const Coordinates* given, int threads,
+                                   std::span<const Index> urgent,
+                                   const VolumeTargetDetails& details);
 
 }  // namespace winslow

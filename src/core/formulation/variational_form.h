@@ -183,6 +183,12 @@ class TargetForm : public VariationalForm {
       : VariationalForm(std::move(nodes), penalty), shapes_(std::move(shapes)) {}
 
   virtual std::shared_ptr<TargetForm> copy() const = 0;
+  /// The targets of a form that nobody else has yet, to be changed. Copies them if others have
+  /// them.
+  Targets& own_shapes() {
+    if (shapes_.use_count() != 1) shapes_ = std::make_shared<Targets>(*shapes_);
+    return const_cast<Targets&>(*shapes_);
+  }
   /// Bytes of the data that depend on the connectivity.
   virtual std::size_t structure_bytes() const = 0;
   /// regularisation: null for the determinants themselves, as for assemble().

@@ -23,6 +23,7 @@ CellTargets<D> reordered(const CellTargets<D>& shapes, const std::vector<Index>&
                          int threads) {
   CellTargets<D> out;
   out.stretched = shapes.stretched;
+  out.without_shape = shapes.without_shape;
   out.offsets.reserve(old_number.size() + 1);
   for (const Index t : old_number)
     out.offsets.push_back(out.offsets.back() + static_cast<Index>(shapes.terms_of(at(t)).size()));
@@ -94,11 +95,34 @@ template <int D>
 SimplexWinslow<D>::SimplexWinslow(const Pattern& pattern, const Targets& shapes,
                                   const PenaltyOptions& penalty)
     : TargetForm<D>(pattern.nodes,
-                    std::make_shared<const Targets>(
+                    std::make_shared<Targets>(
                         reordered(shapes, pattern.structure->shape_order, pattern.nodes.threads())),
                     penalty),
       structure_(pattern.structure) {
   this->node_unknowns().require_held_boundary("the variational form");
+}
+
+template <int D>
+std::shared_ptr<const VariationalForm> SimplexWinslow<D>::with_targets(
+    std::shared_ptr<const SimplexWinslow> form, const TargetsOfSome<D>& some) {
+  const auto structure = form->structure_;
+  std::vector<Index> place(structure->shape_order.size());  // by the number in the targets as given
+  for (std::size_t t = 0; t < place.size(); ++t)
+    place[at(structure->shape_order[t])] = static_cast<Index>(t);
+  auto other = std::make_shared<SimplexWinslow>(*form);
+  form.reset();
+  Targets& shapes = other->own_shapes();
+  for (std::size_t k = 0; k < some.cells.size(); ++k) {
+    const std::size_t t = at(place[at(some.cells[k])]);
+    const auto terms = some.targets.terms_of(k);
+    if (some.targets.cells[k] != shapes.cells[t] || terms.size() != shapes.terms_of(t).size())
+      throw UsageError("targets of other cells than those of the form");
+    std::ranges::copy(terms, shapes.terms_of(t).begin());
+    if (shapes.inverse_limits.empty()) continue;
+    std::copy_n(some.targets.inverse_limits.begin() + some.targets.offsets[k], terms.size(),
+                shapes.inverse_limits.begin() + shapes.offsets[t]);
+  }
+  return other;
 }
 
 template <int D>

@@ -47,6 +47,10 @@ class SimplexWinslow final : public TargetForm<D> {
   /// targets: of the cells of the pattern, in the same order. shapes() has the form's own order.
   SimplexWinslow(const Pattern& pattern, const Targets& targets, const PenaltyOptions& penalty);
 
+  /// A form with other targets of some cells. If nobody else has it, its targets are not copied.
+  static std::shared_ptr<const VariationalForm> with_targets(
+      std::shared_ptr<const SimplexWinslow> form, const TargetsOfSome<D>& some);
+
   ResidualNorms residual(const Coordinates& x, std::span<double> out) const override;
   void boundary_response(const Coordinates& x, const Coordinates& displacement,
                          std::span<double> out) const override;

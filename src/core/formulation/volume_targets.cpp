@@ -25,12 +25,33 @@ class VolumeTargets : TargetBuilder {
   }
 
   CellTargets<3> build() {
-    regular_terms_ = make_regular_terms();
     targets_.cells.reserve(at(topology_.element_count()));
     targets_.offsets.reserve(at(topology_.element_count()) + 1);
     origins_.reserve(at(topology_.element_count()));
     if (keeps()) targets_.without_shape = find_lost([&](Index e) { return has_shape(e); });
     for (Index e = 0; e < topology_.element_count(); ++e) list_element(e);
+    return fill_all();
+  }
+
+  TargetsOfSome<3> build_some(std::span<const Index> elements) {
+    TargetsOfSome<3> out;
+    Index number = 0;
+    for (Index e = 0; e < topology_.element_count(); ++e) {
+      if (!std::ranges::binary_search(elements, e)) {
+        number += count_cells(e);
+        continue;
+      }
+      const std::size_t first = targets_.cells.size();
+      list_element(e);
+      for (std::size_t k = first; k < targets_.cells.size(); ++k) out.cells.push_back(number++);
+    }
+    out.targets = fill_all();
+    return out;
+  }
+
+ private:
+  CellTargets<3> fill_all() {
+    regular_terms_ = make_regular_terms();
     targets_.terms.resize(at(targets_.offsets.back()));
     if (keeps()) targets_.inverse_limits.resize(targets_.terms.size());
     const auto count = static_cast<Index>(targets_.cells.size());
@@ -40,7 +61,6 @@ class VolumeTargets : TargetBuilder {
     return std::move(targets_);
   }
 
- private:
   /// The origin of a cell.
   struct Origin {
     Index element;
@@ -96,6 +116,20 @@ class VolumeTargets : TargetBuilder {
                       share * static_cast<double>(targets_.cells.size() - faces);
     for (std::size_t cell = first; cell < origins_.size(); ++cell)
       origins_[cell].weight = (cell < faces ? 1 : share) * weight_of(e) / live;
+  }
+
+  /// The number of cells that list_element() lists.
+  Index count_cells(Index e) const {
+    const ElementShape& shape = topology_.shape(e);
+    const auto listed = [&](const auto& tetrahedra, bool further) {
+      return static_cast<Index>(std::ranges::count_if(tetrahedra, [&](const auto& corners) {
+        const auto nodes = by_nodes(corners, topology_.element(e));
+        return movable(nodes) && !(further && blend_.rest > 0 && !own_metric(e, nodes));
+      }));
+    };
+    Index count = listed(shape.corner_tetrahedra, false) + listed(shape.face_tetrahedra, true);
+    if (std::ranges::binary_search(guarded_, e)) count += listed(shape.edge_tetrahedra, true);
+    return count;
   }
 
   /// Ends the cell that was listed last, which has so many terms.
@@ -319,6 +353,15 @@ CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
                               std::span<const Index> urgent, const VolumeTargetDetails& details) {
   require_volume(topology, "targets of volume elements: the mesh is a ");
   return VolumeTargets(topology, vcvs, blend, given, threads, urgent, details).build();
+}
+
+TargetsOfSome<3> volume_targets_of(std::span<const Index> elements, const Topology& topology,
+                                   const VolumeVcvs* vcvs, const TargetBlend& blend,
+                                   const Coordinates* given, int threads,
+                                   std::span<const Index> urgent,
+                                   const VolumeTargetDetails& details) {
+  require_volume(topology, "targets of volume elements: the mesh is a ");
+  return VolumeTargets(topology, vcvs, blend, given, threads, urgent, details).build_some(elements);
 }
 
 }  // namespace winslow

@@ -40,6 +40,16 @@ bool is_degenerate(const Eigen::Matrix3d& frame) {
   return !(std::abs(frame.determinant()) > least * frame.col(0).norm() * frame.col(1).norm());
 }
 
+/// The face deformation F^T F + n n^T from a frame in the reference mesh to one after a motion.
+Eigen::Matrix3d squares_of(const Eigen::Matrix3d& inverse, const Eigen::Matrix3d& after) {
+  constexpr double round_off = 1e-9;
+  const Eigen::Matrix3d gradient = after * inverse;
+  const Eigen::Matrix3d squares = gradient.transpose() * gradient;
+  const bool is_identity =
+      (squares - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < round_off;
+  return is_identity ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : squares;
+}
+
 /// The wall faces of a mesh.
 class Walls {
  public:
@@ -56,7 +66,7 @@ class Walls {
   }
 
   bool stretched() const { return stretched_; }
-  const std::vector<WallFace>& faces() const { return faces_; }
+  std::span<const WallFace> faces() const { return faces_; }
 
  private:
   bool is_wall(const Topology::SharedFace& face, bool marked) const {
@@ -72,16 +82,11 @@ class Walls {
            std::ranges::any_of(nodes, [&](Index node) { return !topology_.on_boundary(node); });
   }
   void add(const Face& nodes) {
-    constexpr double round_off = 1e-9;
     const Eigen::Matrix3d before = frame_of(nodes, reference_);
     const Eigen::Matrix3d after = frame_of(nodes, moved_);
     if (is_degenerate(before) || is_degenerate(after)) return;
-    const Eigen::Matrix3d gradient = after * before.inverse();
-    Eigen::Matrix3d squares = gradient.transpose() * gradient;
-    if ((squares - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < round_off)
-      squares.setIdentity();
-    else
-      stretched_ = true;
+    const Eigen::Matrix3d squares = squares_of(before.inverse(), after);
+    stretched_ = stretched_ || !squares.isIdentity(0);
     const Vec3 normal = before.col(2);
     faces_.push_back({nodes, squares, normal * normal.transpose()});
   }
@@ -265,6 +270,18 @@ std::optional<double> height_factor(std::span<const Index> nodes, const WaysToWa
   return count > 0 ? std::optional(std::exp(sum / count)) : std::nullopt;
 }
 
+/// Calls visit(element, wall under it, share) for the elements in layers over walls.
+template <typename Visit>
+void for_each_in_layers(const Topology& topology, const Coordinates& reference,
+                        const WallsBelow& walls_below, const Visit& visit) {
+  for (Index e = 0; e < topology.element_count(); ++e) {
+    auto wall = walls_below.of(e);
+    if (!wall) continue;
+    const double share = share_at(length_over_height(topology.element(e), reference, *wall));
+    if (share > 0) visit(e, std::move(*wall), share);
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const WallStretch> WallStretch::find(const NodeClasses& classes,
@@ -276,20 +293,103 @@ std::shared_ptr<const WallStretch> WallStretch::find(const NodeClasses& classes,
   const Topology& topology = classes.topology();
   const WallsBelow walls_below(topology, reference, walls.faces());
   const auto result = std::make_shared<WallStretch>();
-  for (Index e = 0; e < topology.element_count(); ++e) {
-    const auto nodes = topology.element(e);
-    const auto wall = walls_below.of(e);
-    if (!wall) continue;
-    const bool stretched = !wall->squares.isIdentity(0);
-    const auto factor = height_factor(nodes, walls_below.ways(), factors);
-    if (!stretched && !factor) continue;
-    const double share = share_at(length_over_height(nodes, reference, *wall));
-    if (share == 0) continue;
-    result->elements_.emplace(e, Seen{winslow::map_of(wall->squares, wall->along, share,
-                                                      std::pow(factor.value_or(1), share)),
-                                      factor.has_value()});
-  }
+  for_each_in_layers(
+      topology, reference, walls_below, [&](Index e, const WallBelow& wall, double share) {
+        const auto factor = height_factor(topology.element(e), walls_below.ways(), factors);
+        if (wall.squares.isIdentity(0) && !factor) return;
+        result->add(e, {winslow::map_of(wall.squares, wall.along, share,
+                                        std::pow(factor.value_or(1), share)),
+                        factor.has_value()});
+      });
   return result;
+}
+
+/// The faces of walls, and the elements in layers over them, in the reference mesh.
+class WallLayers::Elements {
+ public:
+  Elements(const NodeClasses& classes, const Coordinates& reference)
+      : topology_(classes.topology()) {
+    const Walls walls(classes, reference, reference);
+    for (const WallFace& face : walls.faces())
+      faces_.push_back({face.nodes, frame_of(face.nodes, reference).inverse()});
+    const WallsBelow walls_below(topology_, reference, walls.faces());
+    for_each_in_layers(topology_, reference, walls_below,
+                       [&](Index e, const WallBelow& wall, double share) {
+                         elements_.push_back({e, share, wall.along, std::ssize(below_)});
+                         below_.insert(below_.end(), wall.faces.begin(), wall.faces.end());
+                       });
+    ways_ = walls_below.ways();
+  }
+
+  /// False if a face is degenerate after the motion. squares: of each face.
+  bool stretch_faces(const Coordinates& moved, std::vector<Eigen::Matrix3d>& squares) const {
+    squares.reserve(faces_.size());
+    for (const auto& [nodes, inverse] : faces_) {
+      const Eigen::Matrix3d after = frame_of(nodes, moved);
+      if (is_degenerate(after)) return false;
+      squares.push_back(squares_of(inverse, after));
+    }
+    return true;
+  }
+
+  std::shared_ptr<const WallStretch> stretched(std::span<const Eigen::Matrix3d> of_faces,
+                                               std::span<const double> factors) const {
+    auto result = std::make_shared<WallStretch>();
+    for (std::size_t k = 0; k < elements_.size(); ++k) {
+      const auto& [e, share, along, first] = elements_[k];
+      const auto end = k + 1 < elements_.size() ? elements_[k + 1].first : std::ssize(below_);
+      Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+      for (auto f = first; f < end; ++f)
+        squares += of_faces[at(below_[static_cast<std::size_t>(f)])];
+      squares /= static_cast<double>(end - first);
+      const auto factor = height_factor(topology_.element(e), ways_, factors);
+      if (squares.isIdentity(0) && !factor) continue;
+      result->add(e, {map_of(squares, along, share, std::pow(factor.value_or(1), share)),
+                      factor.has_value()});
+    }
+    return result;
+  }
+
+ private:
+  struct Face {
+    winslow::Face nodes;
+    Eigen::Matrix3d inverse;  // of its frame
+  };
+  struct Element {
+    Index element;
+    double share;
+    Eigen::Matrix3d along;
+    std::ptrdiff_t first;  // of the faces under it, in below_
+  };
+
+  const Topology& topology_;
+  std::vector<Face> faces_;
+  std::vector<Element> elements_;
+  std::vector<Index> below_;
+  WaysToWalls ways_;
+};
+
+WallLayers::WallLayers(std::shared_ptr<const NodeClasses> classes,
+                       std::shared_ptr<const Coordinates> reference)
+    : classes_(std::move(classes)), reference_(std::move(reference)) {}
+WallLayers::~WallLayers() = default;
+WallLayers::WallLayers(WallLayers&&) noexcept = default;
+WallLayers& WallLayers::operator=(WallLayers&&) noexcept = default;
+
+std::shared_ptr<const WallStretch> WallLayers::stretched(const Coordinates& moved,
+                                                         std::span<const double> factors) const {
+  if (!elements_) {
+    if (factors.empty() && !Walls(*classes_, *reference_, moved).stretched()) return nullptr;
+    elements_ = std::make_unique<const Elements>(*classes_, *reference_);
+  }
+  std::vector<Eigen::Matrix3d> squares;
+  // Other elements stand on other faces where one has vanished.
+  if (!elements_->stretch_faces(moved, squares))
+    return WallStretch::find(*classes_, *reference_, moved, factors);
+  const bool stretched =
+      std::ranges::any_of(squares, [](const Eigen::Matrix3d& m) { return !m.isIdentity(0); });
+  if (!stretched && factors.empty()) return nullptr;
+  return elements_->stretched(squares, factors);
 }
 
 namespace {
@@ -320,17 +420,12 @@ WallStretchDerivative::WallStretchDerivative(const NodeClasses& classes,
   for (const WallFace& face : walls.faces())
     faces_.push_back(
         {face.nodes, frame_of(face.nodes, reference).inverse(), frame_of(face.nodes, moved)});
-  for (Index e = 0; e < topology.element_count(); ++e) {
-    const auto nodes = topology.element(e);
-    auto wall = walls_below.of(e);
-    if (!wall) continue;
-    const double share = share_at(length_over_height(nodes, reference, *wall));
-    if (share == 0) continue;
-    const auto factor = height_factor(nodes, walls_below.ways(), factors);
+  for_each_in_layers(topology, reference, walls_below, [&](Index e, WallBelow wall, double share) {
+    const auto factor = height_factor(topology.element(e), walls_below.ways(), factors);
     elements_.push_back(e);
-    below_.push_back({wall->squares, wall->along, tangents_of(*wall), std::move(wall->faces), share,
+    below_.push_back({wall.squares, wall.along, tangents_of(wall), std::move(wall.faces), share,
                       std::pow(factor.value_or(1), share), factor.has_value()});
-  }
+  });
 }
 
 std::shared_ptr<const WallStretch> WallStretchDerivative::changed(int parameter,
@@ -346,11 +441,9 @@ std::shared_ptr<const WallStretch> WallStretchDerivative::changed(int parameter,
                         : Eigen::Matrix3d(change * (product + product.transpose()));
     }
     if (squares.isIdentity(0) && !wall.held) continue;
-    result->elements_.emplace(
-        elements_[k],
-        WallStretch::Seen{map_of(squares, wall.along, wall.share, wall.height), wall.held});
+    result->add(elements_[k], {map_of(squares, wall.along, wall.share, wall.height), wall.held});
   }
-  return result->elements_.empty() ? nullptr : result;
+  return result->elements().empty() ? nullptr : result;
 }
 
 /// Calls visit(place of the rate, node, vector) for each term of the rates: the product of the

@@ -44,24 +44,68 @@ class WallStretch {
   /// The map of the edges of an element in the reference mesh; null: the identity. In the plane the
   /// third direction stays as it is.
   const Eigen::Matrix3d* map_of(Index e) const {
-    const auto found = elements_.find(e);
-    return found == elements_.end() ? nullptr : &found->second.map;
+    const Seen* seen = find_element(e);
+    return seen ? &seen->map : nullptr;
   }
   /// Factor of the weight of an element: those with held heights are stiff.
   double stiffness_of(Index e) const {
     constexpr double held = 10;
-    const auto found = elements_.find(e);
-    return found != elements_.end() && found->second.held ? held : 1;
+    const Seen* seen = find_element(e);
+    return seen && seen->held ? held : 1;
   }
+  /// The elements with a map, ascending.
+  const std::vector<Index>& elements() const { return elements_; }
 
  private:
+  friend class WallLayers;
   friend class WallStretchDerivative;
 
   struct Seen {
     Eigen::Matrix3d map;
     bool held;
   };
-  std::map<Index, Seen> elements_;
+  const Seen* find_element(Index e) const {
+    const auto found = std::ranges::lower_bound(elements_, e);
+    if (found == elements_.end() || *found != e) return nullptr;
+    return &seen_[static_cast<std::size_t>(found - elements_.begin())];
+  }
+  void add(Index e, Seen seen) {
+    elements_.push_back(e);
+    seen_.push_back(std::move(seen));
+  }
+
+  std::vector<Index> elements_;
+  std::vector<Seen> seen_;  // of elements_
+};
+
+/// The walls of a mesh, and the elements in layers over them. For the many motions of one mesh,
+/// which stretch the same walls:
+///
+///     const WallLayers layers(classes, reference);
+///     const auto stretch = layers.stretched(moved);  // as WallStretch::find(), each time
+///
+/// The elements are found when a wall is stretched for the first time. One call at a time.
+class WallLayers {
+ public:
+  /// As WallStretch::find().
+  WallLayers(std::shared_ptr<const NodeClasses> classes,
+             std::shared_ptr<const Coordinates> reference);
+  ~WallLayers();
+  WallLayers(WallLayers&&) noexcept;
+  WallLayers& operator=(WallLayers&&) noexcept;
+
+  const NodeClasses& classes() const { return *classes_; }
+  const Coordinates& reference() const { return *reference_; }
+  /// As WallStretch::find().
+  std::shared_ptr<const WallStretch> stretched(const Coordinates& moved,
+                                               std::span<const double> factors = {}) const;
+
+ private:
+  class Elements;
+
+  std::shared_ptr<const NodeClasses> classes_;
+  std::shared_ptr<const Coordinates> reference_;
+  mutable std::unique_ptr<const Elements> elements_;  // null: not needed yet
 };
 
 /// How the maps of a WallStretch depend on where the walls are: first through parameters of the

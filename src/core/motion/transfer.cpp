@@ -115,6 +115,14 @@ std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordina
   return std::make_unique<BodyTransfer>(prescribed_nodes(classes, from, to), to, bodies);
 }
 
+Coordinates unknowns_within(const NodeClasses& classes, const Coordinates& unknown,
+                            Coordinates held) {
+  for (Index node = 0; node < held.size(); ++node) {
+    if (classes.moves(node)) held.copy_node(node, unknown);
+  }
+  return held;
+}
+
 namespace {
 
 /// Differences of the places of nodes between two meshes, one after another.
@@ -129,12 +137,40 @@ Eigen::VectorXd differences(std::span<const Index> nodes, const Coordinates& fro
 
 }  // namespace
 
+std::vector<const Coordinates*> nearest_meshes(std::span<const Coordinates* const> known,
+                                               std::span<const Index> nodes,
+                                               const Coordinates& target, std::size_t most) {
+  struct Near {
+    const Coordinates* mesh;
+    double distance;
+  };
+  std::vector<Near> sorted;
+  for (const Coordinates* mesh : known)
+    sorted.push_back({mesh, differences(nodes, *mesh, target).norm()});
+  std::ranges::stable_sort(sorted, {}, &Near::distance);
+  // Two meshes that are nearly the same would get large shares of opposite signs.
+  constexpr double apart = 0.1;  // of the distance from the target
+  std::vector<const Coordinates*> chosen;
+  for (const auto& [mesh, distance] : sorted) {
+    if (chosen.size() == most) break;
+    const double least = apart * distance;
+    const bool is_new = std::ranges::all_of(chosen, [&](const Coordinates* other) {
+      return differences(nodes, *other, *mesh).norm() > least;
+    });
+    if (is_new) chosen.push_back(mesh);
+  }
+  return chosen;
+}
+
 std::optional<Coordinates> extrapolated(std::span<const Coordinates* const> known,
                                         std::span<const Index> nodes, const Coordinates& target) {
   const Coordinates& nearest = *known.front();
   const Eigen::VectorXd wanted = differences(nodes, nearest, target);
   const double length = wanted.norm();
-  if (length == 0) return nearest;
+  constexpr double round_off = 1e-13;
+  double size = 0;
+  for (const Index node : nodes) size += place_of(target, node).squaredNorm();
+  if (length <= round_off * std::sqrt(size)) return nearest;
   const Eigen::Index count = std::ssize(known) - 1, rows = wanted.size();
   if (count == 0) return std::nullopt;
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows + count - 1, count);

@@ -17,6 +17,17 @@ std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordina
 std::unique_ptr<Motion> make_transfer(const NodeClasses& classes, const Coordinates& from,
                                       const Coordinates& to, const Motion& bodies);
 
+/// Combines the nodes with unknowns of one mesh with the other nodes of another mesh.
+Coordinates unknowns_within(const NodeClasses& classes, const Coordinates& unknown,
+                            Coordinates held);
+
+/// The meshes from which extrapolated() predicts best, at most `most`: those whose `nodes` are
+/// nearest to their places in `target`, the nearest first. Left out are meshes in which the nodes
+/// are nearly where another one has them. known: all alike.
+std::vector<const Coordinates*> nearest_meshes(std::span<const Coordinates* const> known,
+                                               std::span<const Index> nodes,
+                                               const Coordinates& target, std::size_t most);
+
 /// Predicts a mesh from known ones: the combination a_1 x_1 + ... + a_n x_n, a_1 + ... + a_n = 1,
 /// whose `nodes` come nearest to their places in `target` (least squares). Several poses of a body
 /// that turns contain all other poses about the same pivot, so that what moves with the body is

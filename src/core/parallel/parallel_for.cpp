@@ -1,11 +1,28 @@
 #include "core/parallel/parallel_for.h"
 
 #include <condition_variable>
+#include <cstdlib>
 #include <deque>
 #include <mutex>
 #include <system_error>
 
 namespace winslow {
+
+int mpi_processes() {
+  int most = 1;
+  // Open MPI; MPICH, Intel MPI and Slurm; MVAPICH; Intel MPI on one machine.
+  for (const char* name :
+       {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE", "MPI_LOCALNRANKS"})
+    if (const char* size = std::getenv(name)) most = std::max(most, std::atoi(size));
+  return most;
+}
+
+int thread_count(int requested) {
+  if (requested > 0) return requested;
+  static const int cores =
+      mpi_processes() > 1 ? 1 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return cores;
+}
 
 namespace {
 

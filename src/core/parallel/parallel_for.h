@@ -23,11 +23,12 @@ void run_on_threads(Index count, const Work& work) {
       const_cast<Work*>(&work));
 }
 
-/// Number of threads to use for a request: 0 means all cores.
-inline int thread_count(int requested) {
-  static const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  return requested > 0 ? requested : cores;
-}
+/// Number of threads to use for a request. 0 means all cores, and one thread in a process that MPI
+/// has started: its other processes have the other cores.
+int thread_count(int requested);
+/// Number of processes that mpirun, or what else starts MPI, has started together with this one,
+/// from the environment; 1: none.
+int mpi_processes();
 
 /// Calls body(begin, end) on blocks that cover [0, n), on several threads if n is large enough.
 /// Blocks have a fixed size and never depend on the number of threads, so a body that writes per

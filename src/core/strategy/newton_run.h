@@ -28,6 +28,9 @@ class NewtonRun {
   /// Smooths with the boundary held. reference: a valid mesh of the same connectivity that gives
   /// the sizes of the elements for untangling; may be null.
   virtual void smooth(Coordinates& x, double fraction, const Coordinates* reference);
+  /// Takes a valid mesh near its solution to the boundary of `target`, to first order: one linear
+  /// solve. Returns false if nodes would have to go too far; x is then undefined.
+  bool follow_boundary(const Coordinates& target, Coordinates& x);
   /// Converges from a mesh near the solution, whose boundary is at its end. Returns false if the
   /// mesh is not that near; x is then undefined.
   bool converge_near(Coordinates& x);

@@ -8,7 +8,7 @@
 #include "core/strategy/slide_options.h"
 
 /// Keeps prepared solvers between calls of execute(), for programs that change one mesh many times.
-/// For bodies that move repeatedly use a MovingMesh, which has its own cache.
+/// For a boundary that moves repeatedly use a Deformer, which has its own cache.
 ///
 ///     winslow::SolverCache cache;
 ///     winslow::RunOptions options;
@@ -89,19 +89,21 @@ struct BodyNodes {
   std::vector<Index> standing;
 };
 
-/// What else is known of the start of a motion, for a MovingMesh and a Series.
+/// What else is known of the start of a motion, for a Deformer and a Series.
 struct NearStart {
   /// How the bodies get from the start to the end of the motion: along the arcs of these motions,
   /// which refer to the mesh of the start and have pivots. Empty: the shortest way.
   std::vector<MovingBody> way = {};
-  /// Earlier results of the same motion at other ends, the nearest first. If a combination of these
-  /// meshes and of the start is valid and near to the result, no path is followed.
+  /// Earlier results of the same motion at other ends, the latest first. If the result can be
+  /// predicted from these meshes and the start (start_near()), no path is followed.
   std::vector<std::shared_ptr<const Coordinates>> earlier = {};
   /// The result has to be that of the run without a start: a motion that contact blocks on its way
   /// from the state's mesh is not begun, and the start is left aside if contact blocks one of the
   /// motions `beside`, which go from the state's mesh to places between the start and the end. So
   /// no body lies between the way of the start and that of the motion.
   bool as_without = false;
+  /// If the result is not near enough to be predicted, the start is left aside.
+  bool only_near = false;
   std::vector<std::vector<MovingBody>> beside = {};
 };
 

@@ -11,6 +11,7 @@
 #include "core/quality/quality.h"
 #include "core/strategy/face_angles.h"
 #include "core/strategy/keep_outside.h"
+#include "core/strategy/near_start.h"
 #include "core/strategy/pointwise_run.h"
 #include "core/strategy/sliding.h"
 #include "core/strategy/surface_shape.h"
@@ -68,15 +69,6 @@ std::unique_ptr<NewtonRun> make_newton_run(const MeshState& state, SmoothingWork
   return std::make_unique<PointwiseRun>(state, workspace, recorder);
 }
 
-/// Combines the nodes with unknowns of one mesh with the other nodes of another mesh.
-Coordinates unknowns_within(const NodeClasses& classes, const Coordinates& unknown,
-                            Coordinates held) {
-  for (Index node = 0; node < held.size(); ++node) {
-    if (classes.moves(node)) held.copy_node(node, unknown);
-  }
-  return held;
-}
-
 /// The node classes of a run: the boundary is fixed, except the nodes of a motion and sliding
 /// nodes, and so are the nodes outside the region in the options. with_motion: receives the rows
 /// that move with the motion.
@@ -121,65 +113,6 @@ Index keep_fixed(const MeshState& state, const NodeClasses& classes,
   const auto held_inside = std::ranges::count_if(
       alone, [&](Index node) { return !classes.topology().on_boundary(node); });
   return state.surface ? 0 : static_cast<Index>(kept - held_inside);
-}
-
-/// Converges from a combination of the start with earlier meshes (NearStart). target: any mesh with
-/// the boundary at the end of the motion. Returns false if there is none that is valid and near.
-bool converge_from_earlier(const Coordinates& target, const RunOptions& run,
-                           SmoothingWorkspace& workspace, NewtonRun& steps, Coordinates& x) {
-  const SmoothOptions& options = workspace.options();
-  // The energy of other targets depends on the way to the mesh (VariationalRun::fitting()).
-  if (options.formulation != Formulation::variational || options.targets.keep == 0) return false;
-  std::vector<const Coordinates*> known{run.start};
-  for (const auto& mesh : run.near.earlier) known.push_back(mesh.get());
-  std::vector<Index> nodes;
-  for (Index node = 0; node < target.size(); ++node)
-    if (!workspace.classes().moves(node)) nodes.push_back(node);
-  for (std::size_t count = known.size(); count > 0; --count) {
-    const auto mesh = extrapolated(std::span(known).first(count), nodes, target);
-    if (!mesh) continue;
-    Coordinates near = unknowns_within(workspace.classes(), *mesh, target);
-    const auto energy = workspace.energy();
-    // Puts nodes that slide on what they slide on.
-    energy->advance(std::vector<double>(energy->unknowns(), 0.0), 0, near);
-    if (workspace.validity(near).inverted > 0 || !std::isfinite(energy->energy(near))) continue;
-    if (!steps.converge_near(near)) return false;
-    x = std::move(near);
-    return true;
-  }
-  return false;
-}
-
-/// Starts a motion from a mesh near its end: from earlier meshes, or along the path from the start
-/// if that mesh is valid, or in one step if it is valid with the final boundary.
-bool move_from(const MeshState& state, const Motion& motion, const RunOptions& run,
-               SmoothingWorkspace& workspace, NewtonRun& steps, Coordinates& x) {
-  const Coordinates& start = *run.start;
-  const NodeClasses& classes = workspace.classes();
-  const auto valid = [&](const Coordinates& mesh) {
-    return workspace.validity(mesh).inverted == 0;
-  };
-  Coordinates target = state.mesh.coordinates;
-  motion.apply(state.mesh.coordinates, 1, target);
-  if (converge_from_earlier(target, run, workspace, steps, x)) return true;
-  if (valid(start)) {
-    x = start;
-    const auto way = run.near.way.empty()
-                         ? nullptr
-                         : make_motion(*state.mesh.topology, start, std::span(run.near.way));
-    const auto transfer =
-        way ? make_transfer(classes, start, target, *way) : make_transfer(classes, start, target);
-    if (transfer->nodes().empty())  // the boundary is there already
-      steps.smooth(x, 1, nullptr);
-    else
-      steps.move(*transfer, start, 0, x);
-    return true;
-  }
-  Coordinates within = unknowns_within(classes, start, target);
-  if (!valid(within)) return false;
-  x = std::move(within);
-  steps.smooth(x, 1, nullptr);
-  return true;
 }
 
 /// The smallest normalized Jacobian; 0 of a mesh with inverted elements.
@@ -344,14 +277,17 @@ void follow_with_vcvs(const MeshState& state, SmoothingWorkspace& workspace, Run
 
 /// How the walls were stretched from the reference mesh to their positions in the state, or by a
 /// motion; null: not at all, or the targets do not depend on it.
-std::shared_ptr<const WallStretch> wall_stretch(const MeshState& state, const NodeClasses& classes,
+std::shared_ptr<const WallStretch> wall_stretch(const MeshState& state,
+                                                const std::shared_ptr<const NodeClasses>& classes,
                                                 const SmoothOptions& options, const Motion* motion,
-                                                const RunOptions& run, double fraction = 1) {
-  if (options.targets.keep == 0 || is_surface(classes.topology())) return nullptr;
+                                                const RunOptions& run,
+                                                SmoothingWorkspace& workspace,
+                                                double fraction = 1) {
+  if (options.targets.keep == 0 || is_surface(classes->topology())) return nullptr;
   Coordinates moved = state.mesh.coordinates;
   if (motion) motion->apply(state.mesh.coordinates, fraction, moved);
-  return WallStretch::find(
-      classes, *reference_of(state), moved,
+  return workspace.wall_stretch(
+      classes, reference_of(state), moved,
       run.layer_factors ? std::span<const double>(*run.layer_factors) : std::span<const double>());
 }
 
@@ -409,7 +345,7 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& asked,
   CurveRows none;
   const auto classes = classes_of(state, nullptr, options, run, result, none);
   workspace.prepare(state, classes, options, options.targets.keep > 0 ? state.reference : nullptr,
-                    wall_stretch(state, *classes, options, nullptr, run));
+                    wall_stretch(state, classes, options, nullptr, run, workspace));
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes,
                                    result.boundary.interfaces, x);
   RunRecorder recorder(run.monitor, result, budget(options));
@@ -461,7 +397,7 @@ SmoothResult smooth_complete_motion(const MeshState& state, const Motion& bodies
   SmoothingWorkspace& workspace = (run.cache ? *run.cache : own).workspace();
   CurveRows rows;
   const auto classes = classes_of(state, &bodies, options, run, result, rows);
-  const auto stretch = wall_stretch(state, *classes, options, &bodies, run);
+  const auto stretch = wall_stretch(state, classes, options, &bodies, run, workspace);
   workspace.prepare(state, classes, options, state.reference, stretch);
   const auto with_held_rows = rows.empty() ? nullptr : with_rows(bodies, rows);
   const Motion& motion = with_held_rows ? *with_held_rows : bodies;
@@ -492,13 +428,13 @@ SmoothResult smooth_complete_motion(const MeshState& state, const Motion& bodies
   steps->end_at_contact(run.all_or_nothing);
   if (known) steps->way_is_clear();
   if (inversion) steps->way_is_blocked();
-  if (!along_path || !near_start || !move_from(state, motion, run, workspace, *steps, x)) {
+  if (!along_path || !near_start || !start_near(state, motion, run, workspace, *steps, x)) {
     if (along_path) x = state.mesh.coordinates;
     steps->move(motion, state.mesh.coordinates, how.increments, x);
   }
   if (stretch && result.fraction_reached < 1 && !how.floor.given()) {
     const auto there =
-        wall_stretch(state, *classes, options, &bodies, run, result.fraction_reached);
+        wall_stretch(state, classes, options, &bodies, run, workspace, result.fraction_reached);
     fit_to_walls_reached(state, there, classes, workspace, recorder, x);
   }
   if (along_path && ended_by(inversion, result)) take_if_first(inversion, result);
@@ -567,7 +503,7 @@ MotionEquations solve_at_end(const MeshState& state, const Motion& motion,
   out.workspace = std::make_shared<SmoothingWorkspace>();
   SmoothingWorkspace& workspace = *out.workspace;
   workspace.prepare(state, out.classes, options, state.reference,
-                    wall_stretch(state, *out.classes, options, &bodies, run));
+                    wall_stretch(state, out.classes, options, &bodies, run, workspace));
   Coordinates& x = out.solution = state.mesh.coordinates;
   const auto with_held_rows = rows.empty() ? nullptr : with_rows(bodies, rows);
   (with_held_rows ? *with_held_rows : bodies).apply(state.mesh.coordinates, 1, x);

@@ -65,6 +65,17 @@ void SmoothingWorkspace::prepare(const MeshState& state,
     given_ = reference ? reference : std::make_shared<const Coordinates>(given);
 }
 
+std::shared_ptr<const WallStretch> SmoothingWorkspace::wall_stretch(
+    const std::shared_ptr<const NodeClasses>& classes,
+    const std::shared_ptr<const Coordinates>& reference, const Coordinates& moved,
+    std::span<const double> factors) {
+  const bool known =
+      wall_layers_ && wall_layers_->classes().shared_topology() == classes->shared_topology() &&
+      wall_layers_->classes().same_unknowns(*classes) && wall_layers_->reference() == *reference;
+  if (!known) wall_layers_.emplace(classes, reference);
+  return wall_layers_->stretched(moved, factors);
+}
+
 bool SmoothingWorkspace::guard(std::span<const Index> elements) {
   std::vector<Index>& guarded = run_.guarded;
   const std::size_t before = guarded.size();
@@ -208,9 +219,37 @@ std::shared_ptr<const VariationalForm> SmoothingWorkspace::make_form(const FormK
       energy_pattern<SurfaceWinslow>(key.pattern, *shared), shared, options_.penalty);
 }
 
+/// The form of a key from the last one if they differ in the stretch of walls alone: in the targets
+/// of the elements over these walls. Null if there is no such way.
+std::shared_ptr<const VariationalForm> SmoothingWorkspace::stretched_form(
+    const FormKey& key, FormKey last, std::shared_ptr<const VariationalForm> form) {
+  std::vector<Index> elements;
+  for (const auto* stretch : {last.wall_stretch.get(), key.wall_stretch.get()})
+    if (stretch)
+      elements.insert(elements.end(), stretch->elements().begin(), stretch->elements().end());
+  std::ranges::sort(elements);
+  elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+  last.wall_stretch = key.wall_stretch;
+  const bool alike = last == key && form->without_shape() == 0;
+  auto in_space = std::dynamic_pointer_cast<const VolumeWinslow>(std::move(form));
+  if (!alike || !in_space) return nullptr;
+  const NodeClasses* classes = key.pattern.unknowns.get();
+  return VolumeWinslow::with_targets(
+      std::move(in_space),
+      volume_targets_of(elements, classes->topology(), key.space_vcvs.get(), key.targets,
+                        key.given.get(), key.pattern.threads, key.urgent,
+                        {classes, key.stencils.get(), key.pattern.guarded, key.roles.get(),
+                         key.wall_stretch.get()}));
+}
+
 std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy() {
   const FormKey key = form_key();
-  const auto& form = made_.form.of(key, [&] { return make_form(key); });
+  std::shared_ptr<const VariationalForm> stretched;
+  if (auto last = made_.form.take_other(key)) {
+    made_.energy = {};  // nothing else has the last form: its targets need not be copied
+    stretched = stretched_form(key, std::move(last->first), std::move(last->second));
+  }
+  const auto& form = made_.form.of(key, [&] { return stretched ? stretched : make_form(key); });
   return made_.energy.of({form, options_.penalty}, [&] {
     return form->penalty() == options_.penalty ? form : form->with_penalty(options_.penalty);
   });

@@ -40,6 +40,13 @@ class Keyed {
   }
   /// The product that is kept; null: none.
   const Product* kept() const { return kept_ ? &kept_->product : nullptr; }
+  /// Takes the product that is kept out, unless it is that of the key. Returns it with its key.
+  std::optional<std::pair<Key, Product>> take_other(const Key& key) {
+    if (!kept_ || kept_->key == key) return std::nullopt;
+    std::pair<Key, Product> taken(std::move(kept_->key), std::move(kept_->product));
+    kept_.reset();
+    return taken;
+  }
   /// How often a product was made.
   std::size_t times_made() const { return times_made_; }
 
@@ -94,6 +101,13 @@ class SmoothingWorkspace {
                const SmoothOptions& options,
                const std::shared_ptr<const Coordinates>& reference = nullptr,
                std::shared_ptr<const WallStretch> wall_stretch = nullptr);
+
+  /// How a motion stretches walls, for prepare(): WallStretch::find(), which takes less time if the
+  /// last call had the same reference mesh and the same nodes that move.
+  std::shared_ptr<const WallStretch> wall_stretch(
+      const std::shared_ptr<const NodeClasses>& classes,
+      const std::shared_ptr<const Coordinates>& reference, const Coordinates& moved,
+      std::span<const double> factors);
 
   /// Until the next prepare(), multiplies the weight of these elements under `auto` targets by four
   /// for each time they are listed.
@@ -267,6 +281,8 @@ class SmoothingWorkspace {
   const std::shared_ptr<LinearSolver>& shared_symmetric_linear();
   FormKey form_key();
   std::shared_ptr<const VariationalForm> make_form(const FormKey& key);
+  std::shared_ptr<const VariationalForm> stretched_form(
+      const FormKey& key, FormKey last, std::shared_ptr<const VariationalForm> form);
   template <typename Form>
   const typename Form::Pattern& energy_pattern(const EnergyPatternKey& key,
                                                const typename Form::Targets& targets);
@@ -280,6 +296,7 @@ class SmoothingWorkspace {
   std::shared_ptr<const ElementRoles> roles_;
   GivenMesh given_;  // null: nothing refers to it
   std::shared_ptr<const WallStretch> wall_stretch_;
+  std::optional<WallLayers> wall_layers_;  // of the last call of wall_stretch()
   Run run_;
   Products made_;
 };

@@ -4,7 +4,6 @@
 
 #include "core/command/command.h"
 #include "core/command/history.h"
-#include "core/command/moving_mesh.h"
 #include "core/drag/drag_session.h"
 #include "core/error.h"
 #include "support/meshes.h"
@@ -196,16 +195,6 @@ TEST_CASE("far from the origin the reference mesh is in the coordinates of the m
   CHECK(*there.reference == state.mesh.coordinates);
   command.bodies[0].motion.rotate = -10;
   CHECK(difference(after(command, there), state) < 1e-9);
-}
-
-TEST_CASE("a moving mesh that returns to rest is the mesh as given") {
-  for (const MeshState& state : samples()) {
-    MovingMesh moving(state);
-    moving.to(turn(state, 10));
-    moving.to(turn(state, 3));
-    CHECK(moving.to(turn(state, 0)).state.mesh.coordinates == state.mesh.coordinates);
-    CHECK(difference(moving.to(turn(state, 10)).state, after(turn(state, 10), state)) < 1e-8);
-  }
 }
 
 TEST_CASE("a body dragged away and back leaves the mesh as it was, to the bit") {

@@ -106,6 +106,48 @@ TEST_CASE("Elements in layers stretch with their wall, and others do not") {
   }
 }
 
+namespace {
+
+/// Whether two stretches are the same, bit for bit.
+bool same_maps(const Topology& topology, const WallStretch* a, const WallStretch* b) {
+  if (!a || !b) return a == b;
+  for (Index e = 0; e < topology.element_count(); ++e) {
+    const Eigen::Matrix3d *of_a = a->map_of(e), *of_b = b->map_of(e);
+    if (!of_a != !of_b || (of_a && *of_a != *of_b)) return false;
+    if (a->stiffness_of(e) != b->stiffness_of(e)) return false;
+  }
+  return a->elements() == b->elements();
+}
+
+}  // namespace
+
+TEST_CASE("Layers that are kept for many motions stretch as those that are found for one") {
+  for (const Volumes volumes : all_volumes) {
+    CAPTURE(std::string(name_of(volumes)));
+    const Mesh mesh = layered_cube(volumes);
+    const Topology& topology = *mesh.topology;
+    const auto classes = free_interior(mesh.topology);
+    const WallLayers layers(classes, std::make_shared<const Coordinates>(mesh.coordinates));
+    const std::vector<std::string> floor{"floor"};
+    std::vector<double> factors(at(topology.node_count()), 0.0);
+    for (const LayerEdge& edge : layer_edges(mesh, topology.markers().nodes_of(floor)))
+      factors[at(edge.upper)] = 1.1;
+    Index with_map = 0;
+    for (const double x : {1.0, 1.3, 0.7, 1.0, 1.1, 0.0}) {
+      const Coordinates moved = mapped(mesh.coordinates, [&](const Vec3& p) {
+        return Vec3(x * p.x() + 0.1 * p.y(), p.y() + 0.2 * p.x() * p.x() * (x - 1), p.z());
+      });
+      for (const auto& of_heights : {std::vector<double>(), factors}) {
+        const auto kept = layers.stretched(moved, of_heights);
+        const auto found = WallStretch::find(*classes, mesh.coordinates, moved, of_heights);
+        CHECK(same_maps(topology, kept.get(), found.get()));
+        if (kept) with_map += static_cast<Index>(kept->elements().size());
+      }
+    }
+    CHECK(with_map > 0);
+  }
+}
+
 TEST_CASE("Under an edge of a wall in space, as in a fan, only the edge stretches") {
   // Two walls, z = 0, y < 0 and y = 0, z < 0, meet at the edge y = z = 0. The first two tetrahedra
   // stand on the walls, the last one on the edge.

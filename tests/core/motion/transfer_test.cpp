@@ -216,3 +216,24 @@ TEST_CASE("a prediction has to reach the places of the nodes") {
   CHECK_FALSE(extrapolated(std::span(known).first(1), nodes, target));
   CHECK(*extrapolated(known, nodes, there) == there);
 }
+
+TEST_CASE("a mesh is predicted from those with the nearest boundaries, none of them twice") {
+  const Mesh mesh = make_mesh(annulus(16, 3, 1.5, Cells::triangles));
+  const auto moved = [&](double way) {
+    Coordinates x = mesh.coordinates;
+    for (Index node = 0; node < x.size(); ++node) x.set_xy(node, x.xy(node) + Vec2(way, 0));
+    return x;
+  };
+  const auto nodes = mesh.topology->markers().nodes(*mesh.topology->markers().find("inner"));
+  const std::vector<double> ways{0.5, 0.4, 0.1, 0.401, 0.2, 0.4, 0};
+  std::vector<Coordinates> meshes;
+  for (const double way : ways) meshes.push_back(moved(way));
+  std::vector<const Coordinates*> known;
+  for (const Coordinates& one : meshes) known.push_back(&one);
+  const auto chosen = nearest_meshes(known, nodes, moved(0.31), 3);
+  // .4 is known twice, and .401 is too near to it.
+  REQUIRE(chosen.size() == 3);
+  for (std::size_t k = 0; k < 3; ++k) CHECK(*chosen[k] == moved(std::array{0.4, 0.2, 0.5}[k]));
+  CHECK(nearest_meshes(known, nodes, moved(0.31), 9).size() == 5);
+  CHECK(nearest_meshes(known, nodes, moved(0.1), 9).front() == known[2]);
+}

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <cstdlib>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -82,4 +83,13 @@ TEST_CASE("loops within loops, and loops of several threads at once, do all of t
 TEST_CASE("no request means all cores, never none") {
   CHECK(thread_count(3) == 3);
   CHECK(thread_count(0) >= 1);
+}
+
+TEST_CASE("the processes that MPI has started are counted") {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    ::setenv(name, "8", 1);
+    CHECK(mpi_processes() == 8);
+    ::unsetenv(name);
+  }
+  CHECK(mpi_processes() == 1);
 }

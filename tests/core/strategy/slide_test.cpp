@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "core/command/command.h"
-#include "core/command/moving_mesh.h"
 #include "core/error.h"
 #include "core/motion/node_table.h"
 #include "core/quality/quality.h"
+#include "core/session/deformer.h"
 #include "core/strategy/sliding.h"
 #include "support/meshes.h"
 #include "support/periodic_meshes.h"
@@ -359,9 +359,10 @@ TEST_CASE("a body that slid stays on its planes: in two steps it gets where one 
   const CommandResult twice = execute(body_moved({0.08, 0, 0}), half.state);
   CHECK(twice.smooth.boundary.footholds.size() == 4);
   CHECK(largest_difference(twice.state.mesh.coordinates, once.state.mesh.coordinates) < 1e-7);
-  MovingMesh moving(state);
+  Deformer deformer(state, {.smooth = body_moved({0, 0, 0}).smooth});
   for (const double x : {0.05, 0.16, 0.1, 0.16}) {
-    const CommandResult now = moving.to(body_moved({x, 0, 0}));
+    deformer.set_motion(body_moved({x, 0, 0}).bodies);
+    const CommandResult now = deformer.step();
     CHECK(now.smooth.fraction_reached == 1);
     if (x == 0.16)
       CHECK(largest_difference(now.state.mesh.coordinates, once.state.mesh.coordinates) < 1e-7);
