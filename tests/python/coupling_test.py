@@ -10,8 +10,8 @@ WINDOWS, DT = 4, 0.1
 
 
 class Script:
-    """What both stand-ins share: an implicit coupling that does each time window `repeats` times, and checks the order of
-    the calls as preCICE does."""
+    """What both stand-ins share: an implicit coupling that does each time window `repeats` times, and checks the
+    order of the calls as preCICE does."""
 
     def __init__(self, displacement, repeats=3, dimension=2):
         self.displacement, self.repeats, self.dimension = displacement, repeats, dimension
@@ -208,7 +208,8 @@ class Coupling(PackageTest):
                 self.assertEqual(abs(script.initial).max(), 0)
                 self.assertEqual([row[:2] for row in script.written], [row[:2] for row in steps])
                 for (_, _, values), (window, _, points, _) in zip(script.written, steps):
-                    np.testing.assert_allclose(values, points[self.mesh.markers["body"]] * DT * (window + 1), rtol=1e-12)
+                    expected = points[self.mesh.markers["body"]] * DT * (window + 1)
+                    np.testing.assert_allclose(values, expected, rtol=1e-12)
 
     def test_like_a_loop_without_repeats(self):
         """The last repeats of all windows give the meshes of a deformer that sees nothing else."""
@@ -217,8 +218,7 @@ class Coupling(PackageTest):
         deformer = self.deformer()
         start = self.mesh.points[deformer.nodes]
         for window, row in enumerate(last):
-            kept = deformer.checkpoint()
-            del kept
+            deformer.checkpoint()  # prepares solvers anew, as that of the coupling
             deformer.set_boundary(start + converging(start, window, 2))
             deformer.step(1e-6)
             self.assert_same(row[2], deformer.points)
@@ -249,11 +249,10 @@ class Coupling(PackageTest):
             coupling.advance(DT)
             coupling.requires_reading_checkpoint()
 
-        for call, text in ((lambda: CoupledMesh(winslow.Deformer(self.mesh), Version3(Script(converging)), "Fluid-Mesh"),
-                            "markers"),
+        other = Version3(Script(converging, dimension=3))
+        for call, text in ((lambda: CoupledMesh(winslow.Deformer(self.mesh), other, "Fluid-Mesh"), "markers"),
                            (lambda: CoupledMesh(self.deformer(), object(), "Fluid-Mesh"), "Participant"),
-                           (lambda: CoupledMesh(self.deformer(), Version3(Script(converging, dimension=3)), "Fluid-Mesh"),
-                            "3 dimensions"),
+                           (lambda: CoupledMesh(self.deformer(), other, "Fluid-Mesh"), "3 dimensions"),
                            (lambda: coupled(lambda p, w, i: p[:3]).move(DT), "shape"),
                            (lambda: coupled(lambda p, w, i: p * np.nan).move(DT), "not finite at node 0"),
                            (lambda: coupled(converging).move(0), "dt"),

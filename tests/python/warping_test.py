@@ -89,7 +89,8 @@ class Warping(PackageTest):
         self.assertLess(self.verified(self.mesh, dXv=vector, dofEnd=99, h=1e-5)[0], 1e-6)
 
     def test_space_and_symmetry(self):
-        mesh = USMesh({"gridFile": cube(), "specifiedSurfaces": ["bottom"], "symmetrySurfaces": ["others"], "threads": 1})
+        mesh = USMesh({"gridFile": cube(), "specifiedSurfaces": ["bottom"], "symmetrySurfaces": ["others"],
+                       "threads": 1})
         surface = mesh.getSurfaceCoordinates()
         self.assertEqual(surface.shape[1], 3)
         inside = (abs(surface[:, :2] - 0.5) < 0.4).all(axis=1)
@@ -124,7 +125,8 @@ class Warping(PackageTest):
         class Two:
             size = 2
 
-        for call, text in ((lambda: USMesh({}), "gridFile"), (lambda: USMesh({"gridFile": self.given}, Two()), "2 proc"),
+        for call, text in ((lambda: USMesh({}), "gridFile"),
+                           (lambda: USMesh({"gridFile": self.given}, Two()), "2 processes"),
                            (lambda: self.mesh.setSurfaceCoordinates(np.zeros((3, 2))), "shape"),
                            (lambda: self.mesh.setSurfaceCoordinates(np.full((16, 2), np.nan)), "finite"),
                            (lambda: self.mesh.setExternalMeshIndices([10000]), "expected 0 to"),

@@ -28,8 +28,8 @@ from .series import Step, sweep
 for _class in (Iteration, Mesh):
     _class.__module__ = __name__
 
-__all__ = ["Cancelled", "Deformer", "Error", "IncompleteMotion", "InputError", "Iteration", "Mesh", "MeshError", "MeshWarning",
-           "NumericError", "OutputError", "Picture", "Quality", "Result", "Sensitivity", "Step", "UsageError",
-           "__version__", "as_mesh", "convert", "deform", "fields", "from_meshio", "from_pyvista", "layers", "move",
-           "plot", "quality", "read", "render", "replay", "scramble", "smooth", "sweep", "to_meshio", "to_pyvista",
-           "untangle", "values", "write"]
+__all__ = ["Cancelled", "Deformer", "Error", "IncompleteMotion", "InputError", "Iteration", "Mesh", "MeshError",
+           "MeshWarning", "NumericError", "OutputError", "Picture", "Quality", "Result", "Sensitivity", "Step",
+           "UsageError", "__version__", "as_mesh", "convert", "deform", "fields", "from_meshio", "from_pyvista",
+           "layers", "move", "plot", "quality", "read", "render", "replay", "scramble", "smooth", "sweep", "to_meshio",
+           "to_pyvista", "untangle", "values", "write"]
