@@ -46,7 +46,7 @@ def panel_speeds(z):
 
 
 def fine_mesh():
-    """NACA 0012 with each triangle cut into four, and layers at the wall: 28k nodes."""
+    """NACA 0012 with each triangle cut into four: 19k nodes."""
     mesh = winslow.read(ASSETS / ("coarse/naca0012.su2" if QUICK else "naca0012.su2"))
     cells, n = mesh.cells["triangle"], mesh.node_count
     edges, middle = np.unique(np.sort(cells[:, [[0, 1], [1, 2], [2, 0]]]).reshape(-1, 2), axis=0, return_inverse=True)
@@ -58,13 +58,12 @@ def fine_mesh():
     wall = np.unique(faces["airfoil"])
     points[wall, 1] = np.sign(points[wall, 1]) * half_thickness(points[wall, 0])
     triangles = np.vstack([np.transpose(t) for t in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))])
-    fine = winslow.untangle(winslow.Mesh(points, {"triangle": triangles}, faces))
-    return winslow.layers(fine, "airfoil", count=8 if QUICK else 42, first=1.5e-3, ratio=1.02).mesh
+    return winslow.untangle(winslow.Mesh(points, {"triangle": triangles}, faces))
 
 
 mesh = fine_mesh()
 deformer = winslow.Deformer(mesh, "airfoil")
-triangles = np.vstack([mesh.cells["triangle"], mesh.cells["quad"][:, [0, 1, 2]], mesh.cells["quad"][:, [0, 2, 3]]])
+triangles = mesh.cells["triangle"]
 outer, wall = mesh.markers["farfield"], mesh.markers["airfoil"]
 start = mesh.points[wall]
 free = np.setdiff1d(np.arange(mesh.node_count), np.union1d(outer, wall))
@@ -153,7 +152,7 @@ if __name__ == "__main__":
           f"J from {history[0]:.3g} to {min(history):.3g}")
     deformer.set_boundary(start + np.stack([0 * x0, found.x @ shapes], axis=1))
     last = deformer.step().mesh
-    assert abs(gradient[3] / difference - 1) < 1e-4 and min(history) < (0.2 if QUICK else 0.1) * history[0]
+    assert abs(gradient[3] / difference - 1) < 1e-4 and min(history) < (0.3 if QUICK else 0.15) * history[0]
 
     figure, (shape, pressure, drop) = plt.subplots(3, 1, figsize=(8, 11), constrained_layout=True)
     shape.triplot(*last.points.T, triangles, lw=0.2, color="0.6")
@@ -165,7 +164,7 @@ if __name__ == "__main__":
     for speed, style, name in ((first, "C0.", "start"), (objective(last.points)[2], "C3.", "found")):
         pressure.plot(x[sort], 1 - speed[sort]**2, style, ms=3, label=name)
     pressure.plot(middles[upper].real, 1 - speeds[upper]**2, "k-", lw=0.8, label="wanted, by panels")
-    pressure.set(xlabel="x", ylabel="pressure coefficient", ylim=(1.1, -1.1), title="Pressure at the wall")
+    pressure.set(xlabel="x", ylabel="pressure coefficient", ylim=(1.1, -0.8), title="Pressure at the wall")
     drop.semilogy(range(1, len(history) + 1), history, "k.-")
     drop.set(xlabel="shape", ylabel="J", title="Objective")
     for axes in (shape, pressure):
