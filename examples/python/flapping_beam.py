@@ -22,7 +22,7 @@ from matplotlib.collections import PolyCollection
 QUICK = "--quick" in sys.argv
 PICTURE = next((a for a in sys.argv[1:] if a.endswith(".png")), "flapping_beam.png")
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
-STEPS, DT, SPEED = (60 if QUICK else 240), 0.05, 1.0
+STEPS, DT, SPEED = (60 if QUICK else 120), 0.1, 1.0
 
 mesh = winslow.read(ASSETS / ("coarse/quads.su2" if QUICK else "quads.su2"))
 deformer = winslow.Deformer(mesh, "ellipse")
