@@ -54,17 +54,17 @@ def options_of(name):
 
 def documented(name):
     """Functions whose keywords the tables say."""
-    return name in ("smooth", "move", "deform", "layers", "scramble", "sweep", "sensitivity")
+    return name in ("smooth", "move", "deform", "layers", "scramble", "sweep", "sensitivity", "deformer")
 
 
-def function(declaration, indent):
-    """The stub of a function: its declaration with the options of the tables, and its docstring."""
+def function(declaration, indent, kind):
+    """The stub of a function: its declaration with the options of the tables, and its docstring. kind: its class."""
     name, arguments, result = re.fullmatch(r"def (\w+)\((.*)\) -> (.*)", declaration).groups()
-    whole = "sensitivity" if name == "__init__" else name
+    whole = kind.lower() if name == "__init__" else name
     parts = re.split(r", (?![^\[]*\])", arguments)
     if documented(whole):
         parts += ["*"] * ("*" not in parts) + options_of(whole)
-    text = winslow.Sensitivity.__init__.__doc__ if name == "__init__" else getattr(winslow, name).__doc__
+    text = getattr(winslow, kind).__init__.__doc__ if name == "__init__" else getattr(winslow, name).__doc__
     lines = textwrap.fill(", ".join(p.replace(" ", "\0") for p in parts), 118 - len(indent) - 4,
                           break_long_words=False, break_on_hyphens=False).replace("\0", " ")
     return (f"{indent}def {name}(\n{textwrap.indent(lines, indent + '    ')}\n{indent}) -> {result}:\n"
@@ -72,9 +72,10 @@ def function(declaration, indent):
 
 
 def stub():
-    out = []
+    out, kind = [], ""
     for line in STUB.with_suffix(".pyi.in").read_text().splitlines():
         found = re.fullmatch(r"( *)#: (.*)", line)
+        kind = line[6:].split(":")[0].split("(")[0] if line.startswith("class ") else kind
         if not found:
             out.append(line)
         elif found[2] == "errors":
@@ -82,7 +83,7 @@ def stub():
         elif found[2].startswith("doc "):
             out.append(quoted(getattr(winslow, found[2][4:]).__doc__, found[1]))
         else:
-            out.append(function(found[2], found[1]))
+            out.append(function(found[2], found[1], kind))
     made = "# Made by docs/make_python.py from the tables of the program: changes here are lost."
     return "\n".join([made, *out]).rstrip() + "\n"
 

@@ -127,15 +127,7 @@ std::shared_ptr<EditRun> deform(const MeshPointer& mesh, const py::object& marke
   if (!sine.is_none()) {
     if (command.markers.empty())
       throw UsageError("sine changes the shape of a body: give its markers");
-    SineDeformation shape;
-    py::dict settings = sine.attr("copy")().cast<py::dict>();
-    for (const char* name : {"amplitude", "waves"})
-      if (!settings.contains(name))
-        throw UsageError(std::string("sine: expected a number \"") + name + '"');
-    const OptionTable table = option_table(shape);
-    set_options(table, settings);
-    refuse_others(settings, known_keywords(table));
-    command.shape = shape;
+    command.shape = sine_of(sine);
   } else {
     set_shape(command, kind, nodes, numbers, mesh->mesh().coordinates.dimension());
   }
@@ -242,9 +234,10 @@ py::list tables_of(const std::string& function) {
   SineDeformation sine;
   SmoothOptions smoothing;
   RigidMotion motion;
-  if (function == "sweep" || function == "sensitivity") smoothing = independent_of_start(smoothing);
+  if (function == "sweep" || function == "sensitivity" || function == "deformer")
+    smoothing = independent_of_start(smoothing);
   if (function == "move") add("Motion", joined(option_table(motion), motion_table(how)));
-  if (function == "deform") add("Motion", motion_table(how));
+  if (function == "deform" || function == "deformer") add("Motion", motion_table(how));
   if (function == "sweep") {
     OptionTable own = option_table(motion);
     std::erase_if(own, [](const Option& option) {

@@ -92,6 +92,18 @@ std::vector<MovingBody> bodies_of(const py::handle& given) {
   return bodies;
 }
 
+SineDeformation sine_of(const py::object& given) {
+  SineDeformation shape;
+  py::dict settings = given.attr("copy")().cast<py::dict>();
+  for (const char* name : {"amplitude", "waves"})
+    if (!settings.contains(name))
+      throw UsageError(std::string("sine: expected a number \"") + name + '"');
+  const OptionTable table = option_table(shape);
+  set_options(table, settings);
+  refuse_others(settings, known_keywords(table));
+  return shape;
+}
+
 app::ZoneRun prepared_zone(const MeshValue& mesh, std::vector<Command> commands,
                            const RunArguments& arguments, std::vector<std::string>& remarks) {
   if (mesh.file.defective)

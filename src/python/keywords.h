@@ -47,6 +47,9 @@ std::vector<std::string> known_keywords(const OptionTable& table,
 /// Bodies from a list of {"markers": ..., "rotate": ..., ...}. Throws UsageError.
 std::vector<MovingBody> bodies_of(const pybind11::handle& given);
 
+/// A sine wave from {"amplitude": ..., "waves": ..., ...}. Throws UsageError.
+SineDeformation sine_of(const pybind11::object& given);
+
 /// The options of a motion, but for the limits of the quality.
 OptionTable motion_table(MotionOptions& how);
 /// Takes what all motions have: min_quality, the options of motion and smoothing, and those of

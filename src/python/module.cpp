@@ -19,5 +19,6 @@ PYBIND11_MODULE(_winslow, module) {
   winslow::python::bind_measures(module);
   winslow::python::bind_sweep(module);
   winslow::python::bind_sensitivity(module);
+  winslow::python::bind_session(module);
   winslow::python::bind_pictures(module);
 }

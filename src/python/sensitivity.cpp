@@ -39,13 +39,22 @@ class Sensitivity {
       markers_ = named.markers;
       named.shape = positions(after, markers_);
       const app::ZoneRun zone = prepared_zone(*mesh, {command}, arguments, remarks_);
-      sensitivity_.emplace(state, ResolvedCommand(*zone.commands.front(), zone.files.front()),
-                           after.coordinates, RunOptions{.monitor = &monitor});
+      sensitivity_ = std::make_shared<const MeshSensitivity>(
+          state, ResolvedCommand(*zone.commands.front(), zone.files.front()), after.coordinates,
+          RunOptions{.monitor = &monitor});
       solved = sensitivity_->mesh();
     });
     mesh_ = with_coordinates(*mesh, std::move(solved));
     boundary_ = frozen(sensitivity_->boundary());
   }
+
+  /// Of a session. mesh: any with the connectivity.
+  Sensitivity(const MeshPointer& mesh, std::vector<std::string> markers,
+              std::shared_ptr<const MeshSensitivity> made)
+      : markers_(std::move(markers)),
+        sensitivity_(std::move(made)),
+        mesh_(with_coordinates(*mesh, sensitivity_->mesh())),
+        boundary_(frozen(sensitivity_->boundary())) {}
 
   const MeshPointer& mesh() const { return mesh_; }
   const py::object& boundary() const { return boundary_; }
@@ -129,12 +138,17 @@ class Sensitivity {
   }
 
   std::vector<std::string> markers_, remarks_;
-  std::optional<MeshSensitivity> sensitivity_;
+  std::shared_ptr<const MeshSensitivity> sensitivity_;
   MeshPointer mesh_;
   py::object boundary_;
 };
 
 }  // namespace
+
+py::object sensitivity_of(const MeshPointer& mesh, std::vector<std::string> markers,
+                          std::shared_ptr<const MeshSensitivity> made) {
+  return py::cast(Sensitivity(mesh, std::move(markers), std::move(made)));
+}
 
 void bind_sensitivity(py::module_& module) {
   py::class_<Sensitivity> of(module, "Sensitivity");

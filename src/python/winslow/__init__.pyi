@@ -518,6 +518,279 @@ class Sensitivity:
                    markers: Optional[Names] = None, *, pivot: Optional[npt.ArrayLike] = None,
                    axis: Optional[npt.ArrayLike] = None) -> Reals: ...
 
+class Deformer:
+    """A mesh whose boundary moves many times, each step starting from those before it.
+
+    Every boundary refers to the mesh as given, and the meshes depend on the boundary alone, not on the way
+    to it. A step predicts its mesh from earlier ones and corrects it, with targets, orderings and
+    hierarchies reused: about one linear solve for a small step.
+
+        deformer = winslow.Deformer(mesh, "flap")
+        for time in times:
+            deformer.set_motion(rotate=10 * math.sin(time), pivot=(0.86, -0.02))
+            points = deformer.step(1e-4).mesh.points
+            flow.advance(points, deformer.displacement() / dt)
+
+    One call at a time; several deformers may work in several threads at once. A call that raises changes
+    nothing.
+    """
+
+    def __init__(
+        self, mesh: MeshLike, markers: Optional[Names] = None, *, increments: int = 0, smooth_after: bool = True,
+        formulation: Literal["variational", "pointwise"] = "variational",
+        targets: Union[str, Dict[str, float]] = "default", exponent: float = 8, knee: float = 1.78,
+        raise_worst: bool = False, outer: Literal["auto", "newton", "descent", "picard"] = "auto",
+        untangle: Literal["auto", "picard", "energy"] = "auto",
+        vcv: Literal["auto", "equal", "existing", "adjusted", "perturbation"] = "auto", vcv_lengths: float = 0,
+        vcv_updates: int = 0,
+        linear: Literal["automatic", "direct", "cg", "multigrid", "gmres", "point-implicit"] = "automatic",
+        linear_tolerance: float = 0.001, linear_max_iterations: int = 200, linear_restart: int = 30,
+        damping: float = 0.3, adapt_damping: bool = True, acceleration: int = 15,
+        clip: Literal["auto", "on", "off"] = "auto", max_iterations: int = 1000, tolerance: Optional[float] = None,
+        threads: int = 0, keep_outside_radius: Optional[float] = None,
+        keep_outside_centre: Optional[Sequence[float]] = None, keep_outside_corner: Optional[Sequence[float]] = None,
+        keep_outside_opposite: Optional[Sequence[float]] = None, slide: Union[str, Sequence[str]] = (),
+        fixed: Union[str, Sequence[str]] = (), feature_angle: float = 40, slide_features: bool = False,
+        surface_first: bool = False, reference_surface: Optional[PathLike] = None,
+        slide_spacing: Literal["auto", "held", "free"] = "auto", hold_spacing: Union[str, Sequence[str]] = (),
+        hold_node: Sequence[int] = (), smooth_node: Sequence[int] = (), periodic: Sequence[Tuple[str, str]] = (),
+        periodic_from_file: bool = False, interfaces: Literal["auto", "held", "slide", "free"] = "auto",
+        reference: Optional[MeshLike] = None, min_quality: Optional[Dict[str, float]] = None,
+        config: Optional[PathLike] = None
+    ) -> None:
+        """Prepare a mesh for many motions.
+
+        Parameters
+        ----------
+        mesh : Mesh
+            The mesh to which all boundaries refer. Or a file, a mesh of meshio or pyvista, or
+            (points, cells, cell_sets).
+        markers : str or sequence of str
+            What moves as a rule: `nodes` are the nodes of these. None: each call says what moves.
+
+        Motion
+        ------
+        increments : int, default 0
+            Steps in which the boundary moves, each followed by smoothing; 0: along the path of valid
+            meshes, in steps as long as they can be (fixed point: at once and, if that ends tangled, in 8
+            and then in 32 steps); 1: at once, as in the paper (0 to 1e+06).
+        smooth_after : bool, default true
+            Smooth the interior after the boundary has moved.
+
+        Smoothing
+        ---------
+        formulation : Literal["variational", "pointwise"], default variational
+            Equations solved over the virtual control volumes.
+            'variational': an energy with a barrier against inversion, minimised by Newton's method through
+            valid meshes only
+            'pointwise': the paper's operator, node by node, for comparison
+        targets : Union[str, Dict[str, float]], default default
+            Variational: shapes that the elements are driven towards, alone or blended.
+            'default': keep for motions, auto for everything else
+            'auto': regular elements where the mesh is isotropic, each element's own shape where it is
+            stretched like its neighbours
+            'element': equilateral triangles, square corners everywhere; for isotropic meshes only
+            'vcv': the virtual control volumes, with their angles and edge lengths
+            'rest': each element's own shape before the motion, to keep a graded or stretched mesh as it is
+            'keep': each element's own shape in the reference mesh, and guards that keep the worst elements
+            from becoming worse
+        exponent : float, default 8
+            Variational: power by which distortion beyond the knee is penalised (1 to 64). 1: all elements
+            count alike; larger: better worst elements, more iterations.
+        knee : float, default 1.78
+            Variational: distortion (1 is perfect) from which the power counts; 0: everywhere (0 or more
+            than 1). Raise it to let well-shaped elements alone.
+        raise_worst : bool, default false
+            Variational: after the solution, make the worst element as good as it can be, at the expense of
+            the others. Of quadrilaterals and hexahedra with regular targets this is the smallest scaled
+            Jacobian; where targets keep elements stretched there may be nothing to gain. Takes many more
+            iterations, in drags too.
+        outer : Literal["auto", "newton", "descent", "picard"], default auto
+            Outer iteration.
+            'auto': newton, after descent in volume meshes of 2,000 free nodes or more; pointwise: picard
+            where that does not end converged
+            'newton': Newton's method; boundary motions through valid meshes
+            'descent': first-order steps (L-BFGS) to the solution, or near it: newton goes on where these
+            are slow; variational, volume meshes only
+            'picard': the paper's damped iteration, coefficients frozen (pointwise only)
+        untangle : Literal["auto", "picard", "energy"], default auto
+            How inverted elements are untangled before Newton's method begins. Choose one of them if the
+            other wastes time.
+            'auto': scrambles by energy first, moved boundaries by picard, then the other
+            'picard': the paper's damped iteration, negative weights clipped
+            'energy': the variational form with a regularised determinant
+        vcv : Literal["auto", "equal", "existing", "adjusted", "perturbation"], default auto
+            Pointwise form and targets vcv: virtual control volumes of the interior nodes.
+            'auto': adjusted ones of a volume mesh, equal ones of a plane mesh and of one with polyhedra
+            'equal': each triangle of a star has the same angle
+            'existing': the solid angles of the mesh as given; volume meshes only
+            'adjusted': the mean of equal and existing solid angles; volume meshes only
+            'perturbation': adjusted ones, found by the paper's random perturbation, for comparison; volume
+            meshes only
+        vcv_lengths : float, default 0
+            VCVs of volume meshes: power of the edge lengths of the mesh as given that their edges have; 0:
+            unit edges, 1: those of the mesh (0 to 1). Raise it to 0.25 or 0.5 where the pointwise form
+            draws nodes to a body, or where sizes jump.
+        vcv_updates : int, default 0
+            Adjusted VCVs of volume meshes: how often, at most, they are worked out anew from the mesh that
+            the run has led to; 0: from the mesh as given alone (0 to 1000). They are in any case where the
+            mesh as given is tangled.
+        linear : Literal["automatic", "direct", "cg", "multigrid", "gmres", "point-implicit"], default automatic
+            How the linear systems are solved; the converged mesh is the same.
+            'automatic': The fastest for the size and the symmetry of the matrix.
+            'direct': Sparse Cholesky or LU, ordering reused: the fastest up to some 100,000 nodes in 2D.
+            'cg': Conjugate gradients with incomplete Cholesky: little memory; symmetric systems only.
+            'multigrid': Conjugate gradients with multigrid: for large meshes; symmetric systems only.
+            'gmres': Restarted GMRES with incomplete LU: less memory than direct on large meshes.
+            'point-implicit': Gauss-Seidel sweeps: the paper's simple solver; slow on large meshes.
+        linear_tolerance : float, default 0.001
+            Relative residual at which an iterative linear solver stops (more than 0, less than 1). The
+            outer iteration corrects what is left, and Newton's method on the energy chooses its own between
+            1e-2 and 1e-6: tighten it only if outer iterations stall.
+        linear_max_iterations : int, default 200
+            Limit of sweeps or Krylov iterations for one linear system (1 or more).
+        linear_restart : int, default 30
+            Krylov vectors that GMRES keeps before it restarts (1 or more). More: fewer iterations, more
+            memory.
+        damping : float, default 0.3
+            Fixed point: share of each linear solution that is taken (more than 0, at most 1). Smaller is
+            safer and slower: lower it where the iteration swings or the mesh does not untangle.
+        adapt_damping : bool, default true
+            Fixed point: halve the damping where the iteration makes no progress.
+        acceleration : int, default 15
+            Fixed point: earlier iterates that Anderson acceleration combines once the mesh is valid; 0: the
+            plain iteration of the paper (0 to 100).
+        clip : Literal["auto", "on", "off"], default auto
+            Fixed point: whether negative weights of the operator are set to zero. Without them no node is
+            drawn out of its neighbours.
+            'auto': while the mesh is tangled
+            'on': in every iteration
+            'off': not at all
+        max_iterations : int, default 1000
+            Limit of outer iterations: variational: of all stages of a command together; pointwise: of each
+            attempt at a motion (0 or more). Raise it if a run ends valid but not converged.
+        tolerance : Optional[float], default 1e-10
+            Largest scaled residual at which the mesh counts as converged (more than 0, less than 1). 1e-4
+            is enough for the eye. Drags and sweeps begin from other meshes and take 1e-10 in volume meshes
+            too.
+        threads : int, default 0
+            Threads; 0: all cores. The result does not depend on it (0 to 4096).
+        keep_outside_radius : Optional[float]
+            Nodes farther than this from the centre stay where they are, units of the mesh (more than 0).
+            For a change near a body in a large mesh.
+        keep_outside_centre : Optional[Sequence[float]]
+            Of the circle, in space the sphere, outside which nodes stay; not given: the centre of the
+            bounding box of all that moves, or of the walls that get layers, units of the mesh.
+        keep_outside_corner : Optional[Sequence[float]]
+            Nodes outside the box with this corner and the one opposite stay where they are, units of the
+            mesh.
+        keep_outside_opposite : Optional[Sequence[float]]
+            Of the box outside which nodes stay, units of the mesh.
+        slide : Union[str, Sequence[str]]
+            Markers whose nodes may slide along the boundary, which keeps its shape: corners stay;
+            variational form only. Far fields, walls of a channel and planes of symmetry that a moving body
+            draws the mesh along.
+        fixed : Union[str, Sequence[str]]
+            Markers that stay where a moving body stands on them; without, straight lines, circles, planes,
+            cylinders and spheres give way: their nodes slide. Where the nodes of such a marker must keep
+            their places: the body then goes as far as the elements at its foot allow.
+        feature_angle : float, default 40
+            Where a sliding marker turns by more than this is a corner, which stays, in space an edge,
+            degrees (0 to 180).
+        slide_features : bool, default false
+            In space: nodes slide along the edges of sliding markers and of surface meshes, instead of
+            staying.
+        surface_first : bool, default false
+            Smoothing a volume mesh: sliding markers are smoothed as surface meshes, then the interior
+            within them; without, all at once. For elements of the boundary that are as good as they can be
+            by themselves.
+        reference_surface : Optional[PathLike]
+            In space: a surface mesh, from CAD or a scan, that nodes slide on instead of the surface of the
+            mesh as given; they are put onto it first. Where the mesh is coarser than the shape that it
+            stands for, or tangled.
+        slide_spacing : Literal["auto", "held", "free"], default auto
+            Whether the edges of a sliding curve keep their shares of its length: a closed curve then turns
+            as a whole, others follow their ends. Held where nodes are clustered, as at leading edges and
+            walls; free where they may go where the mesh draws them.
+            'auto': Held for walls: markers around a body, and those whose elements are flat, three times as
+            long as high or more
+            'held': For all sliding markers
+            'free': For none
+        hold_spacing : Union[str, Sequence[str]]
+            Sliding markers whose spacing is held whatever is chosen for the others.
+        hold_node : Sequence[int]
+            Nodes that stay where they are, of the boundary or inside; counted from 0 in the order of the
+            mesh file (0 or more). Where a node would slide that belongs to a place: a trailing edge, a
+            probe.
+        smooth_node : Sequence[int]
+            Nodes of sliding markers and of surface meshes that are no corners, however much the boundary
+            turns there: they slide on what runs through them (0 or more). For a kink of a coarse mesh that
+            the shape does not have.
+        periodic : Sequence[Tuple[str, str]]
+            Two markers of which one is the image of the other by a translation or a rotation: their nodes
+            move together and keep matching; variational form only. The sides of a passage: they give way to
+            a blade that turns.
+        periodic_from_file : bool, default false
+            Take all periodic pairs that the mesh file names: $Periodic of Gmsh, NPERIODIC= and SEND_RECEIVE
+            of SU2, Periodic_t of CGNS; winslow quality lists them. SU2 of today names them in its
+            configuration file (MARKER_PERIODIC=) and not in the mesh: choose these two markers as a pair
+            instead.
+        interfaces : Literal["auto", "held", "slide", "free"], default auto
+            What nodes do in which regions of the mesh meet: the physical groups or references of its
+            elements. Slide where elements beside an interface should get better and the interface must keep
+            its shape.
+            'auto': Held while a mesh is smoothed, free in a motion
+            'held': Nodes in which regions of the mesh meet stay where they are, as smoothing without a
+            motion has it anyway
+            'slide': Nodes in which regions of the mesh meet slide along the curve or the surface that the
+            mesh has there; corners and places where more than two regions meet stay
+            'free': Nodes in which regions of the mesh meet move as any other node, as motions have it
+            anyway
+
+        Other Parameters
+        ----------------
+        reference : Optional[MeshLike], default None
+            Mesh of the same connectivity whose element shapes motions keep, in place of `mesh`: the mesh
+            before the first of several motions.
+        min_quality : Optional[Dict[str, float]], default None
+            Limits by the names of metrics: the motion ends before any element is worse.
+        config : Optional[PathLike], default None
+            Configuration file of SU2: its markers of symmetry slide, its periodic ones move together.
+
+        Raises
+        ------
+        UsageError
+            An unknown option or marker, one out of range, or one that does not suit the mesh.
+        InputError
+            A file that an option names cannot be read.
+        """
+
+    @property
+    def markers(self) -> List[str]: ...
+    @property
+    def remarks(self) -> List[str]: ...
+    @property
+    def nodes(self) -> Ids: ...
+    @property
+    def given(self) -> Mesh: ...
+    @property
+    def mesh(self) -> Mesh: ...
+    @property
+    def points(self) -> Reals: ...
+    def set_boundary(self, places: npt.ArrayLike, nodes: Optional[npt.ArrayLike] = None) -> None: ...
+    def set_motion(self, markers: Optional[Names] = None, *, bodies: Optional[Bodies] = None,
+                   rotate: float = 0, translate: Optional[npt.ArrayLike] = None,
+                   pivot: Optional[npt.ArrayLike] = None, axis: Optional[npt.ArrayLike] = None) -> None: ...
+    def set_sine(self, markers: Optional[Names] = None, **sine: Any) -> None: ...
+    def step(self, tolerance: Optional[float] = None, *, progress: Optional[Callable[[Iteration], Any]] = None,
+             allow_incomplete: bool = False) -> Result: ...
+    def displacement(self) -> Reals: ...
+    def sensitivity(self) -> Sensitivity: ...
+    def velocities(self, boundary: npt.ArrayLike, nodes: Optional[npt.ArrayLike] = None) -> Reals: ...
+    def largest_valid(self, places: npt.ArrayLike, nodes: Optional[npt.ArrayLike] = None) -> float: ...
+    def checkpoint(self) -> Any: ...
+    def restore(self, checkpoint: Any) -> None: ...
+
 def read(
     path: PathLike, *, zone: int = 0, regions: str = "", time: str = "", repair: bool = False, show: bool = False
 ) -> Mesh:

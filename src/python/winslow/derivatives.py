@@ -56,12 +56,21 @@ NumericError
             moved = mesh.with_points(moved) if hasattr(moved, "shape") or isinstance(moved, list) else as_mesh(moved)
         if options.get("config") is not None:
             options["config"] = os.fspath(options["config"])
-        self._of = _winslow.Sensitivity(mesh, moved, markers, options)
-        self.mesh, self.boundary, self.distance = self._of.mesh, self._of.boundary, self._of.distance
-        self.frozen, self.solver = self._of.frozen, self._of.solver
+        self._take(_winslow.Sensitivity(mesh, moved, markers, options))
         if self.distance > 0.01:
             say([f"a node is {self.distance:.2g} of its edges from the solution of the motion, where the derivative "
                  "is: the motion was not converged, or had other options"])
+
+    def _take(self, of):
+        self._of, self.mesh, self.boundary, self.distance = of, of.mesh, of.boundary, of.distance
+        self.frozen, self.solver = of.frozen, of.solver
+
+    @classmethod
+    def _wrap(cls, of):
+        """The derivative that a session has made."""
+        sensitivity = cls.__new__(cls)
+        sensitivity._take(of)
+        return sensitivity
 
     def forward(self, velocities):
         """dX/dB dB: the velocities of all nodes from those of the boundary.

@@ -32,6 +32,8 @@ def own_options(function):
         return MOTION + COMMON
     if function == "sweep":
         return MOTION + COMMON[1:2]
+    if function == "deformer":
+        return [row for row in MOTION if row[0] in ("reference", "min_quality")] + COMMON[1:2]
     if function == "sensitivity":
         return COMMON[1:]
     return COMMON
