@@ -76,7 +76,6 @@ class Session;
 struct SessionCheckpoint {
   const Session* of = nullptr;
   Deformer::Checkpoint checkpoint;
-  std::optional<Command> reached;
 };
 
 class Session {
@@ -185,22 +184,15 @@ class Session {
     PythonMonitor monitor(progress);
     CommandResult result;
     monitor.run([&] { result = deformer_->step(tolerance, &monitor); });
-    if (result.smooth.inverted == 0 && result.smooth.fraction_reached >= 1) reached_ = set_;
     return std::make_shared<StepRun>(zone_, *set_, std::move(result), given_, remarks_);
   }
 
   /// The derivative as an object of its own, which outlives the next step.
   py::object sensitivity() {
     const Claim claim(at_work_);
-    if (!reached_)
-      throw UsageError("the mesh has no motion yet whose derivative could be taken: call step()");
     std::shared_ptr<const MeshSensitivity> made;
     PythonMonitor monitor{py::none()};
-    monitor.run([&] {
-      made = std::make_shared<const MeshSensitivity>(
-          deformer_->given(), ResolvedCommand(*reached_, zone_->files.front()),
-          *deformer_->coordinates(), RunOptions{.monitor = &monitor});
-    });
+    monitor.run([&] { made = deformer_->sensitivity(&monitor); });
     return sensitivity_of(given_, markers_, std::move(made));
   }
 
@@ -225,13 +217,12 @@ class Session {
 
   SessionCheckpoint checkpoint() {
     const Claim claim(at_work_);
-    return {this, deformer_->checkpoint(), reached_};
+    return {this, deformer_->checkpoint()};
   }
   void restore(const SessionCheckpoint& checkpoint) {
     if (checkpoint.of != this) throw UsageError("the checkpoint is of another deformer");
     const Claim claim(at_work_);
     deformer_->restore(checkpoint.checkpoint);
-    reached_ = checkpoint.reached;
   }
 
  private:
@@ -330,7 +321,7 @@ class Session {
   SmoothOptions smooth_;
   std::optional<Deformer> deformer_;
   // What the next step is; what the last complete one was. None: there is none.
-  std::optional<Command> set_, reached_;
+  std::optional<Command> set_;
   std::atomic_flag at_work_;
 };
 

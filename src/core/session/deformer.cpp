@@ -115,13 +115,15 @@ Coordinates Deformer::displacement() const {
   return out;
 }
 
-const MeshSensitivity& Deformer::sensitivity() {
+std::shared_ptr<const MeshSensitivity> Deformer::sensitivity(SolverMonitor* monitor) {
   if (!reached_)
     throw UsageError("the mesh has no motion yet whose derivative could be taken: call step()");
+  RunOptions options;
+  options.monitor = monitor;
   if (!sensitivity_)
-    sensitivity_ =
-        std::make_unique<const MeshSensitivity>(given_, reached_->command, reached_->result);
-  return *sensitivity_;
+    sensitivity_ = std::make_shared<const MeshSensitivity>(given_, reached_->command,
+                                                           reached_->result, options);
+  return sensitivity_;
 }
 
 double Deformer::largest_valid(const Coordinates& places) {

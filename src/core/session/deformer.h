@@ -81,11 +81,12 @@ class Deformer {
   /// The derivative of the present mesh by its boundary. Made at the first call after a step: the
   /// mesh is solved to 1e-10 for it. Throws as MeshSensitivity does, and UsageError before the
   /// first step.
-  const MeshSensitivity& sensitivity();
+  /// It remains that of this mesh when the session goes on. monitor: may cancel.
+  std::shared_ptr<const MeshSensitivity> sensitivity(SolverMonitor* monitor = nullptr);
   /// The velocities of all nodes at the present mesh if the nodes of its boundary move at these
   /// velocities (#nodes by 2 or 3; those of nodes that depend on the boundary are not read):
-  /// sensitivity().forward().
-  Coordinates velocities(const Coordinates& boundary) { return sensitivity().forward(boundary); }
+  /// sensitivity()->forward().
+  Coordinates velocities(const Coordinates& boundary) { return sensitivity()->forward(boundary); }
   /// Largest share (0 to 1) of the way of the boundary to these places (#nodes by 2 or 3, as for
   /// velocities()) for which the mesh is valid to first order: a bound for the next time step, from
   /// one linear solve. step() goes farther where it can.
@@ -120,7 +121,7 @@ class Deformer {
   std::vector<std::shared_ptr<const Coordinates>> last_;
   std::vector<MovingBody> bodies_;  // moved in the last result, with pivots; empty: not known
   SolverCache cache_;
-  std::unique_ptr<const MeshSensitivity> sensitivity_;  // of the present mesh; null: not made
+  std::shared_ptr<const MeshSensitivity> sensitivity_;  // of the present mesh; null: not made
 };
 
 }  // namespace winslow
