@@ -13,7 +13,10 @@ GIVEN = ["winslow::MeshState state", "winslow::Mesh mesh", "winslow::Command com
          "winslow::Coordinates x", "winslow::RigidMotion motion", "winslow::DragGrip grip",
          "winslow::CommandResult result", "winslow::SolverMonitor& monitor", "winslow::SolverCache& cache",
          "const winslow::EnergyProblem& problem", "const winslow::EquationProblem& equations",
-         "const winslow::DeformCommand& bend_wing", "int steps", "const winslow::MeshData& data"]
+         "const winslow::DeformCommand& bend_wing", "int steps", "const winslow::MeshData& data",
+         "const winslow::MoveCommand& move", "const winslow::MovingBody& body",
+         "const winslow::MeshSensitivity& sensitivity", "const winslow::Coordinates& derivative_by_nodes",
+         "const std::vector<winslow::Index>& nodes", "const winslow::Coordinates& places"]
 INCLUDES = ["winslow/winslow.h", "array", "chrono", "cstdio", "string", "thread", "vector"]
 
 

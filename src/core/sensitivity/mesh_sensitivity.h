@@ -84,7 +84,8 @@ class MeshSensitivity {
 /// Derivatives by the numbers of a motion, one product for all of them:
 ///
 ///     const auto on_boundary = sensitivity.transpose(derivative_by_nodes);
-///     const auto turn = winslow::parameter_velocities(mesh, body, MotionParameter::rotate);
+///     const auto parameter = winslow::MotionParameter::rotate;
+///     const auto turn = winslow::parameter_velocities(mesh, body, parameter);
 ///     const double by_degree = winslow::scalar_product(on_boundary, turn);
 ///
 /// Each body of a motion has velocities of its own. Those by the numbers of a SineDeformation:

@@ -24,6 +24,10 @@ std::vector<MovingBody> bodies_of(const Command& command, const MeshState& state
 
 }  // namespace
 
+// Without a temporary DeformerOptions, of which g++ 12 says that it may not be initialised.
+Deformer::Deformer(MeshState given)
+    : given_(std::move(given)),
+      given_coordinates_(std::make_shared<const Coordinates>(given_.mesh.coordinates)) {}
 Deformer::Deformer(MeshState given, DeformerOptions options)
     : given_(std::move(given)),
       options_(std::move(options)),

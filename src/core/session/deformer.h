@@ -8,11 +8,11 @@
 /// the steps before it:
 ///
 ///     winslow::Deformer deformer(state);
-///     for (const double time : times) {
-///       deformer.set_boundary(nodes, places_at(time));  // or set_motion(), set_shape()
+///     for (int step = 0; step < steps; ++step) {
+///       deformer.set_boundary(nodes, places);  // or set_motion(), set_shape()
 ///       const winslow::CommandResult now = deformer.step(1e-4);
 ///       if (now.smooth.fraction_reached < 1) break;  // winslow::why_incomplete(now.smooth)
-///       solve_on(now.state.mesh);
+///       mesh = now.state.mesh;  // for the flow solver
 ///     }
 namespace winslow {
 
@@ -44,7 +44,8 @@ class Deformer {
 
  public:
   /// given: the mesh to which all boundaries refer.
-  explicit Deformer(MeshState given, DeformerOptions options = {});
+  explicit Deformer(MeshState given);
+  Deformer(MeshState given, DeformerOptions options);
   ~Deformer();
   Deformer(Deformer&&) noexcept;
   Deformer& operator=(Deformer&&) noexcept;
