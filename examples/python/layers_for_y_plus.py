@@ -79,6 +79,6 @@ plot.legend(fontsize=8)
 for kind in ("triangle", "quad"):
     picture.add_collection(PolyCollection(adapted.points[adapted.cells[kind]], facecolors="none", linewidths=0.3,
                                           edgecolors="C3" if kind == "quad" else "0.4"))
-picture.set(xlim=(-0.05, 0.2), ylim=(-0.075, 0.075), aspect="equal", xlabel="x", ylabel="y",
+picture.set(xlim=(-0.004, 0.012), ylim=(-0.005, 0.005), aspect="equal", xlabel="x", ylabel="y",
             title="Adapted layers at the leading edge")
 figure.savefig(PICTURE, dpi=110)

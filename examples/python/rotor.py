@@ -45,6 +45,6 @@ for axis, (angle, points) in zip(axes.flat, shots.items()):
     axis.set(xlim=(-0.9, 1.4), ylim=(-1.15, 1.15), aspect="equal", title=f"{angle}°", xticks=[-0.5, 0, 0.5, 1],
              yticks=[-1, -0.5, 0, 0.5, 1])
 axes[1, 2].semilogy(range(1, TURNS + 1), np.maximum(distances, 1e-17), "k.-")
-axes[1, 2].set(xlabel="turn", ylim=(1e-12, 1), title="Farthest node from the start, in chords")
+axes[1, 2].set(xlabel="turn", ylim=(1e-8, 1), title="Farthest node from\nthe start, in chords")
 axes[1, 2].grid(alpha=0.3)
 figure.savefig(PICTURE, dpi=110)
