@@ -307,7 +307,7 @@ class Session {
       return coordinates_of(array, x.dimension(), x.size(), what);
     const std::vector<Index> nodes = nodes_of(ids);
     const Coordinates rows = rows_of(array, nodes, what);
-    Coordinates field = others.size() > 0 ? others : Coordinates(x.dimension(), x.size());
+    Coordinates field = others.empty() ? Coordinates(x.dimension(), x.size()) : others;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       set_place(field, nodes[k], place_of(rows, static_cast<Index>(k)));
     return field;
