@@ -6,6 +6,7 @@ import os
 import resource
 import threading
 import time
+import unittest
 
 import numpy as np
 
@@ -310,6 +311,7 @@ class Threads(PackageTest):
 
 
 class Leaks(PackageTest):
+    @unittest.skipIf("WINSLOW_SANITIZED" in os.environ, "the sanitizer keeps what is freed: see memory_test.py")
     def test_ten_thousand_calls(self):
         deformer = winslow.Deformer(ring(around=8, rings=2), "body", threads=1)
         places = bent(deformer, 0.05)
