@@ -26,7 +26,7 @@ pybind11::object sensitivity_of(const MeshPointer& mesh, std::vector<std::string
 /// Adds Deformer: a mesh whose boundary moves many times.
 void bind_session(pybind11::module_& module);
 
-/// Adds picture: a mesh as a PNG, without a display. A build without graphics raises Error.
+/// Adds picture: a mesh as a PNG, without a display. Not in a build without graphics.
 void bind_pictures(pybind11::module_& module);
 
 }  // namespace winslow::python

@@ -20,5 +20,11 @@ PYBIND11_MODULE(_winslow, module) {
   winslow::python::bind_sweep(module);
   winslow::python::bind_sensitivity(module);
   winslow::python::bind_session(module);
+#ifdef WINSLOW_PYTHON_DRAWS
   winslow::python::bind_pictures(module);
+  constexpr bool draws = true;
+#else
+  constexpr bool draws = false;
+#endif
+  module.attr("draws") = draws;
 }

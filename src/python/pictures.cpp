@@ -165,9 +165,6 @@ py::bytes picture(const MeshPointer& mesh, const std::string& path, py::dict key
 
 }  // namespace
 
-void bind_pictures(py::module_& module) {
-  module.attr("draws") = true;
-  module.def("picture", &picture);
-}
+void bind_pictures(py::module_& module) { module.def("picture", &picture); }
 
 }  // namespace winslow::python

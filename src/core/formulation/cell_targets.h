@@ -50,6 +50,16 @@ struct CellTargets {
   double inverse_limit(std::size_t term) const {
     return inverse_limits.empty() ? 0 : inverse_limits[term];
   }
+  /// Adds a cell of other targets, which have inverse limits if these have.
+  void add_cell(const CellTargets& from, std::size_t cell) {
+    cells.push_back(from.cells[cell]);
+    const auto added = from.terms_of(cell);
+    terms.insert(terms.end(), added.begin(), added.end());
+    if (!from.inverse_limits.empty())
+      inverse_limits.insert(inverse_limits.end(), from.inverse_limits.begin() + from.offsets[cell],
+                            from.inverse_limits.begin() + from.offsets[cell + 1]);
+    end_cell();
+  }
   /// Ends a cell, which has the terms that were added since the end of the last one.
   void end_cell() { offsets.push_back(index_count(terms.size(), "target shapes of elements")); }
   std::size_t bytes() const { return bytes_of(cells, offsets, terms, inverse_limits); }

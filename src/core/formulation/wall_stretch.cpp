@@ -321,6 +321,8 @@ class WallLayers::Elements {
     ways_ = walls_below.ways();
   }
 
+  std::size_t bytes() const { return bytes_of(faces_, elements_, below_, ways_.wall, ways_.next); }
+
   /// False if a face is degenerate after the motion. squares: of each face.
   bool stretch_faces(const Coordinates& moved, std::vector<Eigen::Matrix3d>& squares) const {
     squares.reserve(faces_.size());
@@ -375,6 +377,8 @@ WallLayers::WallLayers(std::shared_ptr<const NodeClasses> classes,
 WallLayers::~WallLayers() = default;
 WallLayers::WallLayers(WallLayers&&) noexcept = default;
 WallLayers& WallLayers::operator=(WallLayers&&) noexcept = default;
+
+std::size_t WallLayers::bytes() const { return elements_ ? elements_->bytes() : 0; }
 
 std::shared_ptr<const WallStretch> WallLayers::stretched(const Coordinates& moved,
                                                          std::span<const double> factors) const {

@@ -96,6 +96,8 @@ class WallLayers {
 
   const NodeClasses& classes() const { return *classes_; }
   const Coordinates& reference() const { return *reference_; }
+  /// Without the mesh.
+  std::size_t bytes() const;
   /// As WallStretch::find().
   std::shared_ptr<const WallStretch> stretched(const Coordinates& moved,
                                                std::span<const double> factors = {}) const;

@@ -152,16 +152,7 @@ class LayerResponse final : public TargetResponse {
         walls.set_xy(node, walls.xy(node) + sign * wall.step * Vec2::Unit(axis));
     const TargetShapes all = targets_over(of, stretch, walls);
     CellTargets<2> own;
-    for (const Dependent& cell : cells_) {
-      own.cells.push_back(cell.nodes);
-      const auto terms = all.terms_of(cell.place);
-      own.terms.insert(own.terms.end(), terms.begin(), terms.end());
-      if (form.has_guards())
-        own.inverse_limits.insert(own.inverse_limits.end(),
-                                  all.inverse_limits.begin() + all.offsets[cell.place],
-                                  all.inverse_limits.begin() + all.offsets[cell.place + 1]);
-      own.end_cell();
-    }
+    for (const Dependent& cell : cells_) own.add_cell(all, cell.place);
     return form.cell_gradients(x, own);
   }
 

@@ -86,16 +86,7 @@ class ResponseOf final : public TargetResponse {
     const auto other = with_stretch(walls_.changed(parameter, change));
     const CellTargets<D>& all = dynamic_cast<const Form&>(*other).shapes();
     CellTargets<D> own;
-    for (const Dependent& cell : cells_) {
-      own.cells.push_back(cell.nodes);
-      const auto terms = all.terms_of(cell.place);
-      own.terms.insert(own.terms.end(), terms.begin(), terms.end());
-      if (form.has_guards())
-        own.inverse_limits.insert(own.inverse_limits.end(),
-                                  all.inverse_limits.begin() + all.offsets[cell.place],
-                                  all.inverse_limits.begin() + all.offsets[cell.place + 1]);
-      own.end_cell();
-    }
+    for (const Dependent& cell : cells_) own.add_cell(all, cell.place);
     return form.cell_gradients(x, own);
   }
 

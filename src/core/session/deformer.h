@@ -18,8 +18,8 @@ namespace winslow {
 
 /// Options of all steps.
 struct DeformerOptions {
-  /// Its threads are those of the steps: 0 for all cores, and for one in a process that MPI has
-  /// started (thread_count()).
+  /// threads: 0 stands for all cores, in a process that MPI has started with others for one
+  /// (thread_count()).
   SmoothOptions smooth = {};
   MotionOptions how = {};
   SlideFiles files = {};  ///< what smooth.slide names
@@ -28,9 +28,9 @@ struct DeformerOptions {
 /// To within the tolerances, the mesh depends only on where the boundary is, not on the way to it.
 /// The targets are the element shapes of the mesh as given, so errors do not accumulate, and a
 /// boundary that returns to an earlier place gets the earlier mesh. A step predicts its mesh from
-/// those of earlier steps (see start_near()), corrects it by Newton's method, and reuses targets,
-/// patterns, orderings and hierarchies (SolverCache). If nothing leads there from the last mesh, it
-/// goes the way from the mesh as given.
+/// those of earlier steps (NewtonRun::start_near()), corrects it by Newton's method, and reuses
+/// targets, patterns, orderings and hierarchies (SolverCache). If nothing leads there from the last
+/// mesh, it goes the way from the mesh as given.
 ///
 /// A deformer has no state outside itself. One call at a time; two deformers may work at once in
 /// two threads. A call that throws, Cancelled included, changes nothing.
@@ -76,7 +76,7 @@ class Deformer {
   /// The mesh of the last complete step; before the first one, that given.
   const std::shared_ptr<const Coordinates>& coordinates() const;
   /// The way of each node in the last complete step (#nodes by 2 or 3). Divided by the time step it
-  /// is the velocity that fulfils the geometric conservation law of first order in time.
+  /// is the mean velocity of the mesh in that step.
   Coordinates displacement() const;
 
   /// The derivative of the present mesh by its boundary. Made at the first call after a step: the
@@ -85,12 +85,13 @@ class Deformer {
   /// It remains that of this mesh when the session goes on. monitor: may cancel.
   std::shared_ptr<const MeshSensitivity> sensitivity(SolverMonitor* monitor = nullptr);
   /// The velocities of all nodes at the present mesh if the nodes of its boundary move at these
-  /// velocities (#nodes by 2 or 3; those of nodes that depend on the boundary are not read):
+  /// velocities (#nodes by 2 or 3; those of nodes that depend on the boundary are not read). One
+  /// linear solve, and what sensitivity() costs at the first call after a step:
   /// sensitivity()->forward().
   Coordinates velocities(const Coordinates& boundary) { return sensitivity()->forward(boundary); }
   /// Largest share (0 to 1) of the way of the boundary to these places (#nodes by 2 or 3, as for
-  /// velocities()) for which the mesh is valid to first order: a bound for the next time step, from
-  /// one linear solve. step() goes farther where it can.
+  /// velocities()) for which the mesh is valid to first order: a bound for the next time step.
+  /// Costs what velocities() costs. step() goes farther where it can.
   double largest_valid(const Coordinates& places);
 
   /// What the next steps depend on.

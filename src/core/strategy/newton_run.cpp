@@ -100,34 +100,6 @@ void NewtonRun::smooth(Coordinates& x, double fraction, const Coordinates* refer
   converge(x, fraction);
 }
 
-bool NewtonRun::follow_boundary(const Coordinates& target, Coordinates& x) {
-  constexpr double near = 0.1;  // scaled residual, with the boundary where it is
-  SteadySolver& solver = newton();
-  if (solver.start(x).residual > near) return false;
-  Coordinates way = target;
-  for (std::size_t i = 0; i < way.values().size(); ++i) way.values()[i] -= x.values()[i];
-  const SmoothingProblem& problem = solver.problem();
-  std::vector<double> rates(problem.unknowns());
-  const int before = solver.linear_solves();
-  solver.predict_and_correct(x, way, rates);
-  recorder_.result().linear_solves += solver.linear_solves() - before;
-  problem.advance(rates, 1, x);
-  const NodeClasses& classes = workspace_.classes();
-  for (Index node = 0; node < x.size(); ++node)
-    if (!classes.moves(node)) x.copy_node(node, target);
-  return true;
-}
-
-bool NewtonRun::converge_near(Coordinates& x) {
-  constexpr int limit = 6;
-  constexpr double near = 0.1, short_step = 0.25;  // scaled residual; share of a whole step
-  recorder_.iterate(newton(), x, Stage::newton, 1, limit, [](const IterationRecord& record) {
-    return record.residual > near || record.damping < short_step;
-  });
-  recorder_.result().linear_solver = linear().description();
-  return recorder_.result().converged;
-}
-
 /// Returns to the solution, near enough to follow the path from there. Returns false if it is not
 /// found.
 bool NewtonRun::settle(Coordinates& x, double fraction) {

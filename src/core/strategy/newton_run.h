@@ -28,12 +28,15 @@ class NewtonRun {
   /// Smooths with the boundary held. reference: a valid mesh of the same connectivity that gives
   /// the sizes of the elements for untangling; may be null.
   virtual void smooth(Coordinates& x, double fraction, const Coordinates* reference);
-  /// Takes a valid mesh near its solution to the boundary of `target`, to first order: one linear
-  /// solve. Returns false if nodes would have to go too far; x is then undefined.
-  bool follow_boundary(const Coordinates& target, Coordinates& x);
-  /// Converges from a mesh near the solution, whose boundary is at its end. Returns false if the
-  /// mesh is not that near; x is then undefined.
-  bool converge_near(Coordinates& x);
+  /// Carries out a motion of the mesh as given from run.start, which may be near its end.
+  ///
+  /// First predicts the result, and converges from there: from a combination of known meshes
+  /// (NearStart::earlier) with nearly the boundary of the result, else from the known mesh with the
+  /// nearest boundary, to first order in the way that the boundary has from there. If the
+  /// prediction is not valid or too far from the result, follows the path from the start, or starts
+  /// in one step where the start is not valid. x: receives the result. Returns false, and leaves x
+  /// as it is, if the start is of no use.
+  bool start_near(const Motion& motion, const RunOptions& run, Coordinates& x);
   /// Moves the boundary from x (any mesh, at the start of the motion) in `increments` equal steps,
   /// without intermediate meshes; 0: along a path of valid meshes, which ends at the last valid one
   /// if blocked. rest: the mesh to which the motion refers.
@@ -90,6 +93,13 @@ class NewtonRun {
   RunRecorder& recorder() { return recorder_; }
 
  private:
+  class Prediction;
+  /// Takes a valid mesh near its solution to the boundary of `target`, to first order: one linear
+  /// solve. Returns false if the mesh is not near its solution; x is then undefined.
+  bool follow_boundary(const Coordinates& target, Coordinates& x);
+  /// Converges from a mesh near the solution, whose boundary is at its end. Returns false if the
+  /// mesh is not that near; x is then undefined.
+  bool converge_near(Coordinates& x);
   void move_along_path(const Motion& motion, const Coordinates& rest, Coordinates& x);
   void move_in_steps(const Motion& motion, const Coordinates& rest, int increments, Coordinates& x);
   bool untangle(Coordinates& x, double fraction, const Coordinates* reference);

@@ -95,7 +95,7 @@ struct NearStart {
   /// which refer to the mesh of the start and have pivots. Empty: the shortest way.
   std::vector<MovingBody> way = {};
   /// Earlier results of the same motion at other ends, the latest first. If the result can be
-  /// predicted from these meshes and the start (start_near()), no path is followed.
+  /// predicted from these meshes and the start (NewtonRun::start_near()), no path is followed.
   std::vector<std::shared_ptr<const Coordinates>> earlier = {};
   /// The result has to be that of the run without a start: a motion that contact blocks on its way
   /// from the state's mesh is not begun, and the start is left aside if contact blocks one of the

@@ -11,7 +11,6 @@
 #include "core/quality/quality.h"
 #include "core/strategy/face_angles.h"
 #include "core/strategy/keep_outside.h"
-#include "core/strategy/near_start.h"
 #include "core/strategy/pointwise_run.h"
 #include "core/strategy/sliding.h"
 #include "core/strategy/surface_shape.h"
@@ -428,7 +427,7 @@ SmoothResult smooth_complete_motion(const MeshState& state, const Motion& bodies
   steps->end_at_contact(run.all_or_nothing);
   if (known) steps->way_is_clear();
   if (inversion) steps->way_is_blocked();
-  if (!along_path || !near_start || !start_near(state, motion, run, workspace, *steps, x)) {
+  if (!along_path || !near_start || !steps->start_near(motion, run, x)) {
     if (along_path) x = state.mesh.coordinates;
     steps->move(motion, state.mesh.coordinates, how.increments, x);
   }

@@ -48,8 +48,10 @@ void SmoothingWorkspace::prepare(const MeshState& state,
                                  const std::shared_ptr<const Coordinates>& reference,
                                  std::shared_ptr<const WallStretch> wall_stretch) {
   run_ = {};
-  if (!classes_ || classes_->shared_topology() != classes->shared_topology())
+  const auto& topology = classes->shared_topology();
+  if (!classes_ || classes_->shared_topology() != topology)
     made_ = {};  // frees memory: the keys have changed
+  if (wall_layers_ && wall_layers_->classes().shared_topology() != topology) wall_layers_.reset();
   classes_ = classes;
   if (!same_unknowns(unknowns_, *classes)) unknowns_ = classes;
   options_ = options;
@@ -315,6 +317,7 @@ void SmoothingWorkspace::count(MemoryUse& use) const {
     use.structure += (*pattern)->rows->bytes();
   if (const auto* vcvs = made_.computed_vcvs.kept()) use.targets += vcvs->vcvs->bytes();
   if (run_.adjusted.vcvs) use.targets += run_.adjusted.vcvs->bytes();
+  if (wall_layers_) use.targets += wall_layers_->bytes();
   for (const KeyedSolver* solver : {&made_.linear, &made_.symmetric_linear, &made_.newton_linear})
     if (const auto* linear = solver->kept()) (*linear)->count(use);
 }

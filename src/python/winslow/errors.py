@@ -42,7 +42,7 @@ class OutputError(Error, OSError):
 
 
 class MeshError(Error, ValueError):
-    """Arrays that are no mesh: a node that does not exist, an edge of three elements, ...
+    """Arrays that are no mesh, for example with a node that does not exist.
 
     Attributes
     ----------

@@ -3,6 +3,7 @@
 import os
 
 from . import _winslow
+from .errors import Error
 from .foreign import Mesh, as_mesh
 
 
@@ -85,6 +86,8 @@ def render(mesh, path=None, **options):
     Error
         There is no OpenGL (EGL), or the build has no graphics.
     """
+    if not _winslow.draws:
+        raise Error("this build of winslow has no graphics: build it with -DWINSLOW_BUILD_GUI=ON")
     png = _winslow.picture(as_mesh(mesh, show=True), "" if path is None else os.fspath(path), options)
     return png if path is None else None
 
