@@ -77,7 +77,8 @@ struct CellTargets {
 template <int D>
 struct TargetsOfSome {
   CellTargets<D> targets;
-  std::vector<Index> cells;  ///< of each of their cells, its number among all
+  std::vector<Index> cells;     ///< of each of their cells, its number among all
+  std::vector<Index> elements;  ///< of each of their cells
 };
 
 /// Makes all elements isotropic, including those that were stretched:

@@ -25,17 +25,46 @@ class FaceTargets : TargetBuilder {
 
   TargetShapes build() {
     if (keeps()) shapes_.without_shape = find_lost([&](Index e) { return has_shape(e); });
-    for (Index e = 0; e < topology_.element_count(); ++e) {
-      if (topology_.element_type(e) == ElementType::triangle) {
-        add_triangle(e);
-      } else {
-        add_corners(e);
-      }
-    }
+    for (Index e = 0; e < topology_.element_count(); ++e) add(e);
     return std::move(shapes_);
   }
 
+  TargetsOfSome<2> build_some(std::span<const Index> elements, bool any_lost) {
+    if (keeps() && any_lost) find_lost([&](Index e) { return has_shape(e); });
+    TargetsOfSome<2> out;
+    Index number = 0;
+    for (Index e = 0; e < topology_.element_count(); ++e) {
+      if (!std::ranges::binary_search(elements, e)) {
+        number += count_cells(e);
+        continue;
+      }
+      const std::size_t first = shapes_.cells.size();
+      add(e);
+      for (std::size_t k = first; k < shapes_.cells.size(); ++k) {
+        out.cells.push_back(number++);
+        out.elements.push_back(e);
+      }
+    }
+    out.targets = std::move(shapes_);
+    return out;
+  }
+
  private:
+  void add(Index e) {
+    if (topology_.element_type(e) == ElementType::triangle) {
+      add_triangle(e);
+    } else {
+      add_corners(e);
+    }
+  }
+  /// The number of cells that add() adds.
+  Index count_cells(Index e) const {
+    const auto element = topology_.element(e);
+    if (topology_.element_type(e) == ElementType::triangle) return movable(element) ? 1 : 0;
+    return static_cast<Index>(std::ranges::count_if(
+        topology_.shape(e).corner_triangles,
+        [&](const auto& triangle) { return movable(by_nodes(triangle, element)); }));
+  }
   static std::array<Index, 3> corner_nodes(std::span<const Index> element, std::size_t k) {
     const std::size_t n = element.size();
     return {element[k], element[(k + 1) % n], element[(k + n - 1) % n]};
@@ -303,6 +332,16 @@ TargetShapes TargetShapes::build(const VirtualControlVolumes& vcv, const TargetB
                                  std::span<const Index> urgent, const NodeClasses* classes,
                                  std::span<const Vec3> normals, const ElementDetails& details) {
   return FaceTargets(vcv, blend, given, threads, urgent, classes, normals, details).build();
+}
+
+TargetsOfSome<2> TargetShapes::build_some(std::span<const Index> elements,
+                                          const VirtualControlVolumes& vcv,
+                                          const TargetBlend& blend, const Coordinates* given,
+                                          int threads, std::span<const Index> urgent,
+                                          const NodeClasses* classes, const ElementDetails& details,
+                                          bool any_without_shape) {
+  return FaceTargets(vcv, blend, given, threads, urgent, classes, {}, details)
+      .build_some(elements, any_without_shape);
 }
 
 }  // namespace winslow

@@ -40,6 +40,13 @@ struct TargetShapes : CellTargets<2> {
                             std::span<const Index> urgent = {},
                             const NodeClasses* classes = nullptr,
                             std::span<const Vec3> normals = {}, const ElementDetails& details = {});
+  /// Those of some elements (ascending) of a plane mesh. any_without_shape:
+  /// CellTargets::without_shape is not 0.
+  static TargetsOfSome<2> build_some(std::span<const Index> elements,
+                                     const VirtualControlVolumes& vcv, const TargetBlend& blend,
+                                     const Coordinates* given, int threads,
+                                     std::span<const Index> urgent, const NodeClasses* classes,
+                                     const ElementDetails& details, bool any_without_shape);
 };
 
 /// Properties of single nodes and elements.
@@ -80,11 +87,11 @@ CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
                               const TargetBlend& blend, const Coordinates* given, int threads = 0,
                               std::span<const Index> urgent = {},
                               const VolumeTargetDetails& details = {});
-/// Those of some elements (ascending), whatever share of the elements has no shape to keep.
+/// Those of some elements (ascending). any_without_shape: CellTargets::without_shape is not 0.
 TargetsOfSome<3> volume_targets_of(std::span<const Index> elements, const Topology& topology,
                                    const VolumeVcvs* vcvs, const TargetBlend& blend,
                                    const Coordinates* given, int threads,
                                    std::span<const Index> urgent,
-                                   const VolumeTargetDetails& details);
+                                   const VolumeTargetDetails& details, bool any_without_shape);
 
 }  // namespace winslow

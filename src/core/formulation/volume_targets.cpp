@@ -33,7 +33,8 @@ class VolumeTargets : TargetBuilder {
     return fill_all();
   }
 
-  TargetsOfSome<3> build_some(std::span<const Index> elements) {
+  TargetsOfSome<3> build_some(std::span<const Index> elements, bool any_lost) {
+    if (keeps() && any_lost) find_lost([&](Index e) { return has_shape(e); });
     TargetsOfSome<3> out;
     Index number = 0;
     for (Index e = 0; e < topology_.element_count(); ++e) {
@@ -43,7 +44,10 @@ class VolumeTargets : TargetBuilder {
       }
       const std::size_t first = targets_.cells.size();
       list_element(e);
-      for (std::size_t k = first; k < targets_.cells.size(); ++k) out.cells.push_back(number++);
+      for (std::size_t k = first; k < targets_.cells.size(); ++k) {
+        out.cells.push_back(number++);
+        out.elements.push_back(e);
+      }
     }
     out.targets = fill_all();
     return out;
@@ -359,9 +363,10 @@ TargetsOfSome<3> volume_targets_of(std::span<const Index> elements, const Topolo
                                    const VolumeVcvs* vcvs, const TargetBlend& blend,
                                    const Coordinates* given, int threads,
                                    std::span<const Index> urgent,
-                                   const VolumeTargetDetails& details) {
+                                   const VolumeTargetDetails& details, bool any_without_shape) {
   require_volume(topology, "targets of volume elements: the mesh is a ");
-  return VolumeTargets(topology, vcvs, blend, given, threads, urgent, details).build_some(elements);
+  return VolumeTargets(topology, vcvs, blend, given, threads, urgent, details)
+      .build_some(elements, any_without_shape);
 }
 
 }  // namespace winslow

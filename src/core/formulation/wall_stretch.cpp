@@ -284,38 +284,18 @@ void for_each_in_layers(const Topology& topology, const Coordinates& reference,
 
 }  // namespace
 
-std::shared_ptr<const WallStretch> WallStretch::find(const NodeClasses& classes,
-                                                     const Coordinates& reference,
-                                                     const Coordinates& moved,
-                                                     std::span<const double> factors) {
-  const Walls walls(classes, reference, moved);
-  if (!walls.stretched() && factors.empty()) return nullptr;
-  const Topology& topology = classes.topology();
-  const WallsBelow walls_below(topology, reference, walls.faces());
-  const auto result = std::make_shared<WallStretch>();
-  for_each_in_layers(
-      topology, reference, walls_below, [&](Index e, const WallBelow& wall, double share) {
-        const auto factor = height_factor(topology.element(e), walls_below.ways(), factors);
-        if (wall.squares.isIdentity(0) && !factor) return;
-        result->add(e, {winslow::map_of(wall.squares, wall.along, share,
-                                        std::pow(factor.value_or(1), share)),
-                        factor.has_value()});
-      });
-  return result;
-}
-
 /// The faces of walls, and the elements in layers over them, in the reference mesh.
 class WallLayers::Elements {
  public:
-  Elements(const NodeClasses& classes, const Coordinates& reference)
+  /// walls: from the reference mesh to any other one.
+  Elements(const NodeClasses& classes, const Coordinates& reference, const Walls& walls)
       : topology_(classes.topology()) {
-    const Walls walls(classes, reference, reference);
     for (const WallFace& face : walls.faces())
       faces_.push_back({face.nodes, frame_of(face.nodes, reference).inverse()});
     const WallsBelow walls_below(topology_, reference, walls.faces());
     for_each_in_layers(topology_, reference, walls_below,
                        [&](Index e, const WallBelow& wall, double share) {
-                         elements_.push_back({e, share, wall.along, std::ssize(below_)});
+                         elements_.push_back({e, share, wall.along, below_.size()});
                          below_.insert(below_.end(), wall.faces.begin(), wall.faces.end());
                        });
     ways_ = walls_below.ways();
@@ -323,15 +303,18 @@ class WallLayers::Elements {
 
   std::size_t bytes() const { return bytes_of(faces_, elements_, below_, ways_.wall, ways_.next); }
 
-  /// False if a face is degenerate after the motion. squares: of each face.
-  bool stretch_faces(const Coordinates& moved, std::vector<Eigen::Matrix3d>& squares) const {
-    squares.reserve(faces_.size());
-    for (const auto& [nodes, inverse] : faces_) {
-      const Eigen::Matrix3d after = frame_of(nodes, moved);
-      if (is_degenerate(after)) return false;
-      squares.push_back(squares_of(inverse, after));
-    }
-    return true;
+  /// Whether no face is degenerate in a mesh.
+  bool has_all_faces(const Coordinates& moved) const {
+    return std::ranges::none_of(
+        faces_, [&](const Face& face) { return is_degenerate(frame_of(face.nodes, moved)); });
+  }
+  /// Of each face.
+  std::vector<Eigen::Matrix3d> squares(const Coordinates& moved) const {
+    std::vector<Eigen::Matrix3d> out;
+    out.reserve(faces_.size());
+    for (const auto& [nodes, inverse] : faces_)
+      out.push_back(squares_of(inverse, frame_of(nodes, moved)));
+    return out;
   }
 
   std::shared_ptr<const WallStretch> stretched(std::span<const Eigen::Matrix3d> of_faces,
@@ -339,11 +322,7 @@ class WallLayers::Elements {
     auto result = std::make_shared<WallStretch>();
     for (std::size_t k = 0; k < elements_.size(); ++k) {
       const auto& [e, share, along, first] = elements_[k];
-      const auto end = k + 1 < elements_.size() ? elements_[k + 1].first : std::ssize(below_);
-      Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-      for (auto f = first; f < end; ++f)
-        squares += of_faces[at(below_[static_cast<std::size_t>(f)])];
-      squares /= static_cast<double>(end - first);
+      const Eigen::Matrix3d squares = mean(of_faces, k);
       const auto factor = height_factor(topology_.element(e), ways_, factors);
       if (squares.isIdentity(0) && !factor) continue;
       result->add(e, {map_of(squares, along, share, std::pow(factor.value_or(1), share)),
@@ -351,6 +330,9 @@ class WallLayers::Elements {
     }
     return result;
   }
+
+  void differentiate(const Coordinates& moved, std::span<const double> factors,
+                     WallStretchDerivative& out) const;
 
  private:
   struct Face {
@@ -361,8 +343,21 @@ class WallLayers::Elements {
     Index element;
     double share;
     Eigen::Matrix3d along;
-    std::ptrdiff_t first;  // of the faces under it, in below_
+    std::size_t first;  // of the faces under it, in below_
   };
+
+  /// The faces under an element.
+  std::span<const Index> faces_below(std::size_t k) const {
+    const std::size_t first = elements_[k].first;
+    const std::size_t end = k + 1 < elements_.size() ? elements_[k + 1].first : below_.size();
+    return std::span(below_).subspan(first, end - first);
+  }
+  Eigen::Matrix3d mean(std::span<const Eigen::Matrix3d> of_faces, std::size_t k) const {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    const auto faces = faces_below(k);
+    for (const Index f : faces) sum += of_faces[at(f)];
+    return sum / static_cast<double>(faces.size());
+  }
 
   const Topology& topology_;
   std::vector<Face> faces_;
@@ -371,38 +366,52 @@ class WallLayers::Elements {
   WaysToWalls ways_;
 };
 
+std::shared_ptr<const WallStretch> WallStretch::find(const NodeClasses& classes,
+                                                     const Coordinates& reference,
+                                                     const Coordinates& moved,
+                                                     std::span<const double> factors) {
+  const Walls walls(classes, reference, moved);
+  if (!walls.stretched() && factors.empty()) return nullptr;
+  const WallLayers::Elements elements(classes, reference, walls);
+  return elements.stretched(elements.squares(moved), factors);
+}
+
 WallLayers::WallLayers(std::shared_ptr<const NodeClasses> classes,
                        std::shared_ptr<const Coordinates> reference)
     : classes_(std::move(classes)), reference_(std::move(reference)) {}
-WallLayers::~WallLayers() = default;
-WallLayers::WallLayers(WallLayers&&) noexcept = default;
-WallLayers& WallLayers::operator=(WallLayers&&) noexcept = default;
 
 std::size_t WallLayers::bytes() const { return elements_ ? elements_->bytes() : 0; }
 
+std::shared_ptr<const WallLayers::Elements> WallLayers::elements(const Coordinates& moved) const {
+  if (!elements_)
+    elements_ = std::make_shared<const Elements>(*classes_, *reference_,
+                                                 Walls(*classes_, *reference_, *reference_));
+  // Other elements stand on other faces where one has vanished.
+  if (elements_->has_all_faces(moved)) return elements_;
+  return std::make_shared<const Elements>(*classes_, *reference_,
+                                          Walls(*classes_, *reference_, moved));
+}
+
 std::shared_ptr<const WallStretch> WallLayers::stretched(const Coordinates& moved,
                                                          std::span<const double> factors) const {
-  if (!elements_) {
-    if (factors.empty() && !Walls(*classes_, *reference_, moved).stretched()) return nullptr;
-    elements_ = std::make_unique<const Elements>(*classes_, *reference_);
-  }
-  std::vector<Eigen::Matrix3d> squares;
-  // Other elements stand on other faces where one has vanished.
-  if (!elements_->stretch_faces(moved, squares))
-    return WallStretch::find(*classes_, *reference_, moved, factors);
+  if (!elements_ && factors.empty() && !Walls(*classes_, *reference_, moved).stretched())
+    return nullptr;
+  const auto elements = this->elements(moved);
+  const std::vector<Eigen::Matrix3d> squares = elements->squares(moved);
   const bool stretched =
       std::ranges::any_of(squares, [](const Eigen::Matrix3d& m) { return !m.isIdentity(0); });
   if (!stretched && factors.empty()) return nullptr;
-  return elements_->stretched(squares, factors);
+  return elements->stretched(squares, factors);
 }
 
 namespace {
 
-/// Unit vectors along a wall.
-std::vector<Vec3> tangents_of(const WallBelow& wall) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(wall.along);
+/// Unit vectors that span the directions of a projection.
+std::vector<Vec3> tangents_of(const Eigen::Matrix3d& along) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(along);
   std::vector<Vec3> tangents;
-  for (int k = 3 - wall.directions; k < 3; ++k) tangents.emplace_back(eigen.eigenvectors().col(k));
+  for (int k = 0; k < 3; ++k)
+    if (eigen.eigenvalues()[k] > 0.5) tangents.emplace_back(eigen.eigenvectors().col(k));
   return tangents;
 }
 
@@ -414,22 +423,26 @@ std::array<std::size_t, 2> pair_of(int parameter) {
 
 }  // namespace
 
-WallStretchDerivative::WallStretchDerivative(const NodeClasses& classes,
-                                             const Coordinates& reference, const Coordinates& moved,
+void WallLayers::Elements::differentiate(const Coordinates& moved, std::span<const double> factors,
+                                         WallStretchDerivative& out) const {
+  const std::vector<Eigen::Matrix3d> of_faces = squares(moved);
+  for (const auto& [nodes, inverse] : faces_)
+    out.faces_.push_back({nodes, inverse, frame_of(nodes, moved)});
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const auto& [e, share, along, first] = elements_[k];
+    const auto factor = height_factor(topology_.element(e), ways_, factors);
+    const auto below = faces_below(k);
+    out.elements_.push_back(e);
+    out.below_.push_back({mean(of_faces, k), along, tangents_of(along),
+                          std::vector<Index>(below.begin(), below.end()), share,
+                          std::pow(factor.value_or(1), share), factor.has_value()});
+  }
+}
+
+WallStretchDerivative::WallStretchDerivative(const WallLayers& layers, const Coordinates& moved,
                                              std::span<const double> factors)
-    : dimension_(reference.dimension()) {
-  const Walls walls(classes, reference, moved);
-  const Topology& topology = classes.topology();
-  const WallsBelow walls_below(topology, reference, walls.faces());
-  for (const WallFace& face : walls.faces())
-    faces_.push_back(
-        {face.nodes, frame_of(face.nodes, reference).inverse(), frame_of(face.nodes, moved)});
-  for_each_in_layers(topology, reference, walls_below, [&](Index e, WallBelow wall, double share) {
-    const auto factor = height_factor(topology.element(e), walls_below.ways(), factors);
-    elements_.push_back(e);
-    below_.push_back({wall.squares, wall.along, tangents_of(wall), std::move(wall.faces), share,
-                      std::pow(factor.value_or(1), share), factor.has_value()});
-  });
+    : dimension_(layers.reference().dimension()) {
+  layers.elements(moved)->differentiate(moved, factors, *this);
 }
 
 std::shared_ptr<const WallStretch> WallStretchDerivative::changed(int parameter,

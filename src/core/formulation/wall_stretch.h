@@ -84,15 +84,13 @@ class WallStretch {
 ///     const WallLayers layers(classes, reference);
 ///     const auto stretch = layers.stretched(moved);  // as WallStretch::find(), each time
 ///
-/// The elements are found when a wall is stretched for the first time. One call at a time.
+/// The elements are found when a wall is stretched for the first time. Copies have the same ones.
+/// One call at a time.
 class WallLayers {
  public:
   /// As WallStretch::find().
   WallLayers(std::shared_ptr<const NodeClasses> classes,
              std::shared_ptr<const Coordinates> reference);
-  ~WallLayers();
-  WallLayers(WallLayers&&) noexcept;
-  WallLayers& operator=(WallLayers&&) noexcept;
 
   const NodeClasses& classes() const { return *classes_; }
   const Coordinates& reference() const { return *reference_; }
@@ -103,11 +101,16 @@ class WallLayers {
                                                std::span<const double> factors = {}) const;
 
  private:
+  friend class WallStretch;
+  friend class WallStretchDerivative;
   class Elements;
+
+  /// Those over faces that are not degenerate in a mesh.
+  std::shared_ptr<const Elements> elements(const Coordinates& moved) const;
 
   std::shared_ptr<const NodeClasses> classes_;
   std::shared_ptr<const Coordinates> reference_;
-  mutable std::unique_ptr<const Elements> elements_;  // null: not needed yet
+  mutable std::shared_ptr<const Elements> elements_;  // over all faces; null: not needed yet
 };
 
 /// How the maps of a WallStretch depend on where the walls are: first through parameters of the
@@ -115,14 +118,16 @@ class WallLayers {
 /// tangents t_i of the wall there. An element has one such parameter in the plane and over an edge
 /// of a wall in space, else three: (1, 1), (2, 2), (1, 2).
 ///
-///     const winslow::WallStretchDerivative walls(classes, reference, moved, {});
+///     const winslow::WallLayers layers(classes, reference);
+///     const winslow::WallStretchDerivative walls(layers, moved, {});
 ///     walls.add_rates(velocities, rates);                      // forward, element after element
 ///     const auto more = walls.changed(parameter, 1e-4);        // maps with one parameter changed
 class WallStretchDerivative {
  public:
-  /// As WallStretch::find(). Elements count also over walls that are not stretched.
-  WallStretchDerivative(const NodeClasses& classes, const Coordinates& reference,
-                        const Coordinates& moved, std::span<const double> factors);
+  /// moved, factors: as of WallStretch::find(). Elements count also over walls that are not
+  /// stretched.
+  WallStretchDerivative(const WallLayers& layers, const Coordinates& moved,
+                        std::span<const double> factors);
 
   /// The elements whose maps depend on the walls, ascending.
   const std::vector<Index>& elements() const { return elements_; }
@@ -140,6 +145,8 @@ class WallStretchDerivative {
   void add_transpose(std::span<const double> multipliers, Coordinates& out) const;
 
  private:
+  friend class WallLayers;
+
   struct Below {
     Eigen::Matrix3d squares, along;
     std::vector<Vec3> tangents;

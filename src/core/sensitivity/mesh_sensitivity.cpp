@@ -47,7 +47,7 @@ class MeshSensitivity::Impl {
     for (const TakenNode& node : equations_.taken) taken[at(node.node)] = true;
     for (Index node = 0; node < topology.node_count(); ++node)
       if (!equations_.classes->moves(node) && !taken[at(node)]) boundary_.push_back(node);
-    prepare_targets(topology);
+    prepare_targets();
     if (result.state.vcvs != state.vcvs) prepare_layers(result.state);
     prepare_solver();
     // The equations are in coordinates near the mesh.
@@ -158,16 +158,14 @@ class MeshSensitivity::Impl {
                      std::to_string(mesh_.size()) + " with " + std::to_string(mesh_.dimension()));
   }
 
-  void prepare_targets(const Topology& topology) {
+  void prepare_targets() {
     SmoothingWorkspace& workspace = *equations_.workspace;
     if (!(workspace.options().targets.keep > 0)) return;
-    WallStretchDerivative walls(*equations_.classes, equations_.reference, equations_.solution,
-                                equations_.layer_factors);
-    const auto with_stretch = [&](std::shared_ptr<const WallStretch> stretch) {
-      return workspace.energy_with(std::move(stretch));
-    };
+    const WallLayers& walls = workspace.walls(equations_.classes, equations_.reference);
     targets_ =
-        target_response(form(), std::move(walls), with_stretch, topology, equations_.solution);
+        target_response(form(), workspace,
+                        WallStretchDerivative(walls, equations_.solution, equations_.layer_factors),
+                        equations_.solution);
   }
   /// The VCVs of held layers were made anew after the motion.
   void prepare_layers(const MeshState& result) {
@@ -176,18 +174,16 @@ class MeshSensitivity::Impl {
     if (!plane || !result.layers || !result.layers->held) return;
     layers_ = layer_response(
         *plane,
-        {result, options.targets, *equations_.classes, equations_.reference, options.threads},
+        {result, options.targets, *equations_.classes, *equations_.reference, options.threads},
         equations_.solution);
   }
   void prepare_solver() {
-    const SmoothOptions& options = equations_.workspace->options();
-    LinearOptions linear = options.linear;
-    linear.tolerance = tight;
-    linear.max_iterations = std::max(linear.max_iterations, 1000);
-    linear_ = make_linear_solver(linear, options.threads);
+    // Preconditioned by what Newton's method left, if it made any step to the solution.
+    linear_ = &equations_.workspace->symmetric_linear();
+    linear_->set_tolerance(tight);
     std::vector<double> residual(form().unknowns());
     form().linearise(equations_.solution, Curvature::exact, hessian_, residual);
-    if (!residual.empty()) linear_->set_matrix(hessian_);
+    if (!residual.empty()) linear_->set_matrix(hessian_, true);
   }
 
   std::vector<double> solve(std::span<const double> rhs) const {
@@ -211,8 +207,8 @@ class MeshSensitivity::Impl {
   // Null: the targets do not depend on walls, by their stretch and by VCVs of layers.
   std::unique_ptr<const TargetResponse> targets_, layers_;
   SparseMatrix hessian_;
-  mutable std::mutex mutex_;  // of the solver
-  std::unique_ptr<LinearSolver> linear_;
+  mutable std::mutex mutex_;        // of the solver
+  LinearSolver* linear_ = nullptr;  // of the workspace
 };
 
 MeshSensitivity::MeshSensitivity(const MeshState& state, const ResolvedCommand& motion,

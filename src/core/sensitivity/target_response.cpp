@@ -8,16 +8,21 @@ template <int D>
 class ResponseOf final : public TargetResponse {
  public:
   using Form = SimplexWinslow<D>;
-  using Cell = std::array<Index, D + 1>;
 
-  ResponseOf(const Form& form, WallStretchDerivative walls, const FormWithStretch& with_stretch,
-             const Topology& topology, const Coordinates& x)
+  ResponseOf(const Form& form, SmoothingWorkspace& workspace, WallStretchDerivative walls,
+             const Coordinates& x)
       : walls_(std::move(walls)) {
-    find_cells(form, topology);
     for (int parameter = 0; parameter < walls_.parameters(); ++parameter) {
       constexpr double change = 1e-5;
-      std::vector<double> slopes = gradients(form, with_stretch, parameter, change, x);
-      const std::vector<double> lower = gradients(form, with_stretch, parameter, -change, x);
+      const auto gradients = [&](double by) {
+        const auto of_elements =
+            workspace.targets_with<D>(walls_.changed(parameter, by), walls_.elements());
+        cells_ = of_elements.targets.cells;
+        elements_ = places_in(walls_.elements(), of_elements.elements);
+        return form.cell_gradients(x, of_elements.targets);
+      };
+      std::vector<double> slopes = gradients(change);
+      const std::vector<double> lower = gradients(-change);
       for (std::size_t i = 0; i < slopes.size(); ++i)
         slopes[i] = (slopes[i] - lower[i]) / (2 * change);
       slopes_.push_back(std::move(slopes));
@@ -40,54 +45,17 @@ class ResponseOf final : public TargetResponse {
   }
 
  private:
-  /// A cell of the energy whose targets depend on the walls.
-  struct Dependent {
-    Cell nodes;
-    std::size_t element;  // into walls_.elements()
-    std::size_t place;    // of the cell in the form
-  };
-
-  /// The simplices of which the energy of an element is made.
-  static std::vector<Cell> cells_of(const Topology& topology, Index e) {
-    std::vector<Cell> cells;
-    const ElementShape& shape = topology.shape(e);
-    const auto nodes = topology.element(e);
-    const auto add = [&](const auto& list) {
-      for (const auto& corner : list) {
-        Cell cell;
-        for (std::size_t k = 0; k <= D; ++k) cell[k] = nodes[at(corner[k])];
-        cells.push_back(cell);
-      }
-    };
-    if constexpr (D == 2) {
-      add(shape.corner_triangles);
-    } else {
-      add(shape.corner_tetrahedra);
-      add(shape.edge_tetrahedra);
-      add(shape.face_tetrahedra);
+  /// all, some: ascending.
+  static std::vector<std::size_t> places_in(std::span<const Index> all,
+                                            std::span<const Index> some) {
+    std::vector<std::size_t> places;
+    places.reserve(some.size());
+    std::size_t place = 0;
+    for (const Index e : some) {
+      while (all[place] != e) ++place;
+      places.push_back(place);
     }
-    return cells;
-  }
-
-  void find_cells(const Form& form, const Topology& topology) {
-    std::map<Cell, std::size_t> element_of;
-    for (std::size_t k = 0; k < walls_.elements().size(); ++k)
-      for (const Cell& cell : cells_of(topology, walls_.elements()[k])) element_of[cell] = k;
-    const auto& cells = form.shapes().cells;
-    for (std::size_t t = 0; t < cells.size(); ++t) {
-      const auto found = element_of.find(cells[t]);
-      if (found != element_of.end()) cells_.push_back({cells[t], found->second, t});
-    }
-  }
-
-  /// Gradients of the energies of cells_ with one parameter of all elements changed.
-  std::vector<double> gradients(const Form& form, const FormWithStretch& with_stretch,
-                                int parameter, double change, const Coordinates& x) const {
-    const auto other = with_stretch(walls_.changed(parameter, change));
-    const CellTargets<D>& all = dynamic_cast<const Form&>(*other).shapes();
-    CellTargets<D> own;
-    for (const Dependent& cell : cells_) own.add_cell(all, cell.place);
-    return form.cell_gradients(x, own);
+    return places;
   }
 
   /// visit(place of the rate, node, rate of the node's part of dE/dx).
@@ -95,32 +63,33 @@ class ResponseOf final : public TargetResponse {
   void for_each_slope(const Visit& visit) const {
     for (std::size_t parameter = 0; parameter < slopes_.size(); ++parameter) {
       const double* slope = slopes_[parameter].data();
-      for (const Dependent& cell : cells_) {
-        const std::size_t rate = cell.element * slopes_.size() + parameter;
-        for (std::size_t k = 0; k <= D; ++k, slope += D) visit(rate, cell.nodes[k], Vec<D>(slope));
+      for (std::size_t t = 0; t < cells_.size(); ++t) {
+        const std::size_t rate = elements_[t] * slopes_.size() + parameter;
+        for (const Index node : cells_[t]) {
+          visit(rate, node, Vec<D>(slope));
+          slope += D;
+        }
       }
     }
   }
 
   WallStretchDerivative walls_;
-  std::vector<Dependent> cells_;
-  std::vector<std::vector<double>> slopes_;  // by parameter: of each node of each cell
+  std::vector<std::array<Index, D + 1>> cells_;  // those whose targets depend on walls
+  std::vector<std::size_t> elements_;            // of cells_, into walls_.elements()
+  std::vector<std::vector<double>> slopes_;      // by parameter: of each node of each cell
 };
 
 }  // namespace
 
 std::unique_ptr<const TargetResponse> target_response(const VariationalForm& form,
+                                                      SmoothingWorkspace& workspace,
                                                       WallStretchDerivative walls,
-                                                      const FormWithStretch& with_stretch,
-                                                      const Topology& topology,
                                                       const Coordinates& x) {
   if (walls.elements().empty()) return nullptr;
   if (const auto* plane = dynamic_cast<const VariationalWinslow*>(&form))
-    return std::make_unique<const ResponseOf<2>>(*plane, std::move(walls), with_stretch, topology,
-                                                 x);
+    return std::make_unique<const ResponseOf<2>>(*plane, workspace, std::move(walls), x);
   if (const auto* space = dynamic_cast<const VolumeWinslow*>(&form))
-    return std::make_unique<const ResponseOf<3>>(*space, std::move(walls), with_stretch, topology,
-                                                 x);
+    return std::make_unique<const ResponseOf<3>>(*space, workspace, std::move(walls), x);
   return nullptr;
 }
 

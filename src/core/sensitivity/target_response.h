@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/formulation/variational_winslow.h"
 #include "core/formulation/wall_stretch.h"
+#include "core/strategy/workspace.h"
 
 namespace winslow {
 
@@ -19,15 +19,11 @@ class TargetResponse {
   virtual void add_transpose(const Coordinates& velocities, Coordinates& out) const = 0;
 };
 
-/// The energy of the same motion with other maps of the targets.
-using FormWithStretch =
-    std::function<std::shared_ptr<const VariationalForm>(std::shared_ptr<const WallStretch>)>;
-
-/// form: of a plane or a volume mesh, at its solution x. Null if no target depends on a wall.
+/// form: the workspace's, of a plane or a volume mesh, at its solution x. Null if no target depends
+/// on a wall.
 std::unique_ptr<const TargetResponse> target_response(const VariationalForm& form,
+                                                      SmoothingWorkspace& workspace,
                                                       WallStretchDerivative walls,
-                                                      const FormWithStretch& with_stretch,
-                                                      const Topology& topology,
                                                       const Coordinates& x);
 
 }  // namespace winslow

@@ -123,6 +123,7 @@ std::shared_ptr<const MeshSensitivity> Deformer::sensitivity(SolverMonitor* moni
   if (!reached_)
     throw UsageError("the mesh has no motion yet whose derivative could be taken: call step()");
   RunOptions options;
+  options.cache = &cache_;
   options.monitor = monitor;
   if (!sensitivity_)
     sensitivity_ = std::make_shared<const MeshSensitivity>(given_, reached_->command,

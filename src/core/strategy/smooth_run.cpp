@@ -285,9 +285,9 @@ std::shared_ptr<const WallStretch> wall_stretch(const MeshState& state,
   if (options.targets.keep == 0 || is_surface(classes->topology())) return nullptr;
   Coordinates moved = state.mesh.coordinates;
   if (motion) motion->apply(state.mesh.coordinates, fraction, moved);
-  return workspace.wall_stretch(
-      classes, reference_of(state), moved,
-      run.layer_factors ? std::span<const double>(*run.layer_factors) : std::span<const double>());
+  return workspace.walls(classes, reference_of(state))
+      .stretched(moved, run.layer_factors ? std::span<const double>(*run.layer_factors)
+                                          : std::span<const double>());
 }
 
 /// Smooths the mesh of a motion that ended early, whose targets were those for stretched walls at
@@ -486,6 +486,8 @@ MotionEquations solve_at_end(const MeshState& state, const Motion& motion,
                              const RunOptions& run) {
   SmoothOptions options = independent_of_start(asked);
   options.targets = options.targets.or_else(TargetBlend::keeping());
+  // Derivatives need tight solves.
+  options.linear.max_iterations = std::max(options.linear.max_iterations, 1000);
   if (options.formulation != Formulation::variational || by_fixed_point(options))
     throw UsageError(
         "what a mesh depends on is known for meshes that minimise an energy: expected the "
@@ -499,7 +501,8 @@ MotionEquations solve_at_end(const MeshState& state, const Motion& motion,
   MotionEquations out;
   CurveRows rows;
   out.classes = classes_of(state, &bodies, options, with_images, out.result, rows);
-  out.workspace = std::make_shared<SmoothingWorkspace>();
+  out.workspace =
+      run.cache ? run.cache->workspace().fork() : std::make_shared<SmoothingWorkspace>();
   SmoothingWorkspace& workspace = *out.workspace;
   workspace.prepare(state, out.classes, options, state.reference,
                     wall_stretch(state, out.classes, options, &bodies, run, workspace));
@@ -515,7 +518,7 @@ MotionEquations solve_at_end(const MeshState& state, const Motion& motion,
   RunRecorder recorder(run.monitor, out.result, options.max_iterations);
   make_newton_run(state, workspace, recorder)->smooth(x, 1, nullptr);
   out.form = std::dynamic_pointer_cast<const VariationalForm>(workspace.newton().shared_problem());
-  out.reference = *reference_of(state);
+  out.reference = reference_of(state);
   return out;
 }
 

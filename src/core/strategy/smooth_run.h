@@ -26,7 +26,8 @@ struct MotionEquations {
   std::shared_ptr<const NodeClasses> classes;
   std::vector<TakenNode> taken;       ///< by the motion, at the solution
   std::vector<double> layer_factors;  ///< RunOptions::layer_factors; empty: none
-  Coordinates reference, solution;
+  std::shared_ptr<const Coordinates> reference;
+  Coordinates solution;
   SmoothResult result;
 };
 

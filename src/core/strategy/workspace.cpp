@@ -67,15 +67,24 @@ void SmoothingWorkspace::prepare(const MeshState& state,
     given_ = reference ? reference : std::make_shared<const Coordinates>(given);
 }
 
-std::shared_ptr<const WallStretch> SmoothingWorkspace::wall_stretch(
-    const std::shared_ptr<const NodeClasses>& classes,
-    const std::shared_ptr<const Coordinates>& reference, const Coordinates& moved,
-    std::span<const double> factors) {
+std::shared_ptr<SmoothingWorkspace> SmoothingWorkspace::fork() const {
+  auto other = std::make_shared<SmoothingWorkspace>();
+  other->unknowns_ = unknowns_;
+  other->classes_ = classes_;
+  other->given_ = given_;
+  other->wall_layers_ = wall_layers_;
+  other->made_ = made_;
+  other->forget_linear_solvers();
+  return other;
+}
+
+const WallLayers& SmoothingWorkspace::walls(const std::shared_ptr<const NodeClasses>& classes,
+                                            const std::shared_ptr<const Coordinates>& reference) {
   const bool known =
       wall_layers_ && wall_layers_->classes().shared_topology() == classes->shared_topology() &&
       wall_layers_->classes().same_unknowns(*classes) && wall_layers_->reference() == *reference;
-  if (!known) wall_layers_.emplace(classes, reference);
-  return wall_layers_->stretched(moved, factors);
+  if (!known) wall_layers_.emplace(WallLayers(classes, reference));
+  return *wall_layers_;
 }
 
 bool SmoothingWorkspace::guard(std::span<const Index> elements) {
@@ -232,16 +241,36 @@ std::shared_ptr<const VariationalForm> SmoothingWorkspace::stretched_form(
   std::ranges::sort(elements);
   elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
   last.wall_stretch = key.wall_stretch;
-  const bool alike = last == key && form->without_shape() == 0;
-  auto in_space = std::dynamic_pointer_cast<const VolumeWinslow>(std::move(form));
-  if (!alike || !in_space) return nullptr;
+  if (!(last == key)) return nullptr;
+  const bool any_without_shape = form->without_shape() > 0;
+  const auto stretched = [&]<int D>(std::shared_ptr<const SimplexWinslow<D>> same) {
+    form.reset();
+    return SimplexWinslow<D>::with_targets(std::move(same),
+                                           targets_of<D>(key, elements, any_without_shape));
+  };
+  if (auto space = std::dynamic_pointer_cast<const VolumeWinslow>(form))
+    return stretched(std::move(space));
+  if (auto plane = std::dynamic_pointer_cast<const VariationalWinslow>(form))
+    return stretched(std::move(plane));
+  return nullptr;
+}
+
+template <int D>
+TargetsOfSome<D> SmoothingWorkspace::targets_of(const FormKey& key, std::span<const Index> elements,
+                                                bool any_without_shape) {
   const NodeClasses* classes = key.pattern.unknowns.get();
-  return VolumeWinslow::with_targets(
-      std::move(in_space),
-      volume_targets_of(elements, classes->topology(), key.space_vcvs.get(), key.targets,
-                        key.given.get(), key.pattern.threads, key.urgent,
-                        {classes, key.stencils.get(), key.pattern.guarded, key.roles.get(),
-                         key.wall_stretch.get()}));
+  const int threads = key.pattern.threads;
+  if constexpr (D == 2) {
+    return TargetShapes::build_some(elements, *key.plane_vcvs, key.targets, key.given.get(),
+                                    threads, key.urgent, classes,
+                                    {key.roles.get(), key.wall_stretch.get()}, any_without_shape);
+  } else {
+    return volume_targets_of(
+        elements, classes->topology(), key.space_vcvs.get(), key.targets, key.given.get(), threads,
+        key.urgent,
+        {classes, key.stencils.get(), key.pattern.guarded, key.roles.get(), key.wall_stretch.get()},
+        any_without_shape);
+  }
 }
 
 std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy() {
@@ -257,12 +286,17 @@ std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy() {
   });
 }
 
-std::shared_ptr<const VariationalForm> SmoothingWorkspace::energy_with(
-    std::shared_ptr<const WallStretch> stretch) {
+template <int D>
+TargetsOfSome<D> SmoothingWorkspace::targets_with(const std::shared_ptr<const WallStretch>& stretch,
+                                                  std::span<const Index> elements) {
   FormKey key = form_key();
-  key.wall_stretch = std::move(stretch);
-  return make_form(key);
+  key.wall_stretch = stretch;
+  return targets_of<D>(key, elements, energy()->without_shape() > 0);
 }
+template TargetsOfSome<2> SmoothingWorkspace::targets_with<2>(
+    const std::shared_ptr<const WallStretch>& stretch, std::span<const Index> elements);
+template TargetsOfSome<3> SmoothingWorkspace::targets_with<3>(
+    const std::shared_ptr<const WallStretch>& stretch, std::span<const Index> elements);
 
 void SmoothingWorkspace::forget_linear_solvers() {
   run_ = {};

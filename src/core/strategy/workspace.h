@@ -92,6 +92,11 @@ VolumeVcvOptions volume_vcv_options(const SmoothOptions& options, const Topology
 /// moving nodes changes.
 class SmoothingWorkspace {
  public:
+  SmoothingWorkspace() = default;
+  /// For another run of its own. Has the same products but for the linear solvers and what was
+  /// found during the last run.
+  std::shared_ptr<SmoothingWorkspace> fork() const;
+
   /// Begins a run with its inputs. state: the targets and the VCVs of a volume mesh refer to its
   /// mesh, which is copied if needed, or to `reference` if that is not null. The VCVs, of the kind
   /// in the options, are made when an equation first needs them; those given by hand come from the
@@ -102,12 +107,10 @@ class SmoothingWorkspace {
                const std::shared_ptr<const Coordinates>& reference = nullptr,
                std::shared_ptr<const WallStretch> wall_stretch = nullptr);
 
-  /// How a motion stretches walls, for prepare(): WallStretch::find(), which takes less time if the
+  /// The walls that a motion stretches, and the elements in layers over them. Takes no time if the
   /// last call had the same reference mesh and the same nodes that move.
-  std::shared_ptr<const WallStretch> wall_stretch(
-      const std::shared_ptr<const NodeClasses>& classes,
-      const std::shared_ptr<const Coordinates>& reference, const Coordinates& moved,
-      std::span<const double> factors);
+  const WallLayers& walls(const std::shared_ptr<const NodeClasses>& classes,
+                          const std::shared_ptr<const Coordinates>& reference);
 
   /// Until the next prepare(), multiplies the weight of these elements under `auto` targets by four
   /// for each time they are listed.
@@ -138,8 +141,11 @@ class SmoothingWorkspace {
   /// With the penalty of the options.
   std::shared_ptr<const VariationalForm> energy();
   EnergyNewton& newton();
-  /// energy() of the same mesh if its walls were stretched otherwise; not kept.
-  std::shared_ptr<const VariationalForm> energy_with(std::shared_ptr<const WallStretch> stretch);
+  /// Targets of elements (ascending) of a plane (D = 2) or a volume mesh (D = 3) if its walls were
+  /// stretched otherwise; energy() has the others.
+  template <int D>
+  TargetsOfSome<D> targets_with(const std::shared_ptr<const WallStretch>& stretch,
+                                std::span<const Index> elements);
   /// Newton's method on the formulation of the options.
   SteadySolver& steady_solver();
   EquationNewton& pointwise_newton();
@@ -281,6 +287,9 @@ class SmoothingWorkspace {
   const std::shared_ptr<LinearSolver>& shared_symmetric_linear();
   FormKey form_key();
   std::shared_ptr<const VariationalForm> make_form(const FormKey& key);
+  template <int D>
+  TargetsOfSome<D> targets_of(const FormKey& key, std::span<const Index> elements,
+                              bool any_without_shape);
   std::shared_ptr<const VariationalForm> stretched_form(
       const FormKey& key, FormKey last, std::shared_ptr<const VariationalForm> form);
   template <typename Form>
@@ -296,7 +305,7 @@ class SmoothingWorkspace {
   std::shared_ptr<const ElementRoles> roles_;
   GivenMesh given_;  // null: nothing refers to it
   std::shared_ptr<const WallStretch> wall_stretch_;
-  std::optional<WallLayers> wall_layers_;  // of the last call of wall_stretch()
+  std::optional<WallLayers> wall_layers_;  // of the last call of walls()
   Run run_;
   Products made_;
 };

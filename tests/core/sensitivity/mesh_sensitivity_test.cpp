@@ -111,6 +111,17 @@ TEST_CASE("derivatives by stretched walls go through the targets of the layers o
   }
 }
 
+TEST_CASE("derivatives know elements without a shape of their own") {
+  MeshData data = o_grid(32, distances(9, 0.02, 1.4, 9), Cut::alternating);
+  Coordinates& x = data.coordinates;
+  const Index node = 32 * 6;  // beyond the next one
+  set_place(x, node, 2.2 * place_of(x, node + 1) - 1.2 * place_of(x, node));
+  const Case tangled{"tangled", make_state(make_mesh(data)), "wall", {}, 0.06};
+  const CommandResult result = execute(bent(tangled, 0), tangled.state);
+  CHECK(result.smooth.without_shape > 0);
+  check(tangled);
+}
+
 TEST_CASE("derivatives of volume meshes by their boundary are those of differences of runs") {
   for (const Volumes volumes : {Volumes::tetrahedra, Volumes::hexahedra, Volumes::prisms}) {
     check({name_of(volumes), make_state(box_with_body(5, volumes)), "body", {}, 0.02});

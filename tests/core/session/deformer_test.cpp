@@ -299,6 +299,27 @@ TEST_CASE("velocities are those of differences of steps, and bound the next step
   }
 }
 
+TEST_CASE("derivatives of a session are those of single runs, and change no later step") {
+  for (const MeshState& state : {plane_state(), space_state()}) {
+    Deformer deformer(state), other(state);
+    const MeshState moved = at(deformer, 6).state;
+    at(other, 6);
+    MoveCommand command{turned(state, 6), {}, {}};
+    command.bodies[0].motion.pivot = Vec3(0.5, 0.5, 0.5);
+    const Coordinates velocities =
+        parameter_velocities(moved.mesh, command.bodies[0], MotionParameter::rotate);
+    const auto kept = deformer.sensitivity();
+    const Coordinates product = kept->forward(velocities);
+    CHECK(difference(at(deformer, 8).state, at(other, 8).state) == 0);
+    CHECK(difference(at(deformer, 3).state, at(other, 3).state) == 0);
+    CHECK(largest_difference(kept->forward(velocities), product) == 0);
+    const MeshSensitivity of_single(state, MoveCommand{turned(state, 6), {}, {}},
+                                    moved.mesh.coordinates);
+    CHECK(largest_difference(of_single.forward(velocities), product) < 1e-9);
+    CHECK(largest_difference(product, Coordinates(product.dimension(), product.size())) > 1e-3);
+  }
+}
+
 TEST_CASE("a boundary that returns to rest gives the mesh as given") {
   for (const MeshState& state : {plane_state(), space_state()}) {
     Deformer deformer(state);

@@ -453,29 +453,106 @@ TEST_CASE("a cache outlives a topology that is gone, and a command that makes an
         execute(turn(kept.state, 3), kept.state).state.mesh.coordinates);
 }
 
-TEST_CASE("targets over walls that stretch further are those that a new run makes, bit for bit") {
-  for (const Volumes volumes : all_volumes) {
-    CAPTURE(std::string(name_of(volumes)));
-    const Mesh mesh = layered_cube(volumes);
-    Inputs inputs = inputs_of(make_state(mesh));
+namespace {
+
+/// A mesh with layers over walls that stretch.
+struct Stretchable {
+  std::string name;
+  Inputs inputs;
+  std::shared_ptr<const Coordinates> reference;
+
+  Stretchable(std::string name_of_mesh, const Mesh& mesh)
+      : name(std::move(name_of_mesh)),
+        inputs(inputs_of(make_state(mesh))),
+        reference(std::make_shared<const Coordinates>(mesh.coordinates)) {
     inputs.options.targets = TargetBlend::keeping();
-    const auto reference = std::make_shared<const Coordinates>(mesh.coordinates);
-    const auto energy_at = [&](SmoothingWorkspace& workspace, double stretch) {
-      Coordinates x = mesh.coordinates;
-      for (Index node = 0; node < x.size(); ++node)
-        x.set_xyz(node, x.xyz(node).cwiseProduct(Vec3(1 + stretch, 1, 1)));
-      workspace.prepare(inputs.state, inputs.classes, inputs.options, reference,
-                        workspace.wall_stretch(inputs.classes, reference, x, {}));
-      return workspace.energy()->energy(x);
-    };
+  }
+  Coordinates moved(double stretch) const {
+    Coordinates x = *reference;
+    for (Index node = 0; node < x.size(); ++node)
+      set_place(x, node, place_of(x, node).cwiseProduct(Vec3(1 + stretch, 1, 1)));
+    return x;
+  }
+  std::shared_ptr<const WallStretch> stretch(SmoothingWorkspace& workspace, double by) const {
+    return workspace.walls(inputs.classes, reference).stretched(moved(by));
+  }
+  std::shared_ptr<const VariationalForm> prepare(SmoothingWorkspace& workspace, double by) const {
+    workspace.prepare(inputs.state, inputs.classes, inputs.options, reference,
+                      stretch(workspace, by));
+    return workspace.energy();
+  }
+};
+
+std::vector<Stretchable> stretchable_meshes() {
+  std::vector<Stretchable> meshes;
+  for (const Volumes volumes : all_volumes)
+    meshes.emplace_back(name_of(volumes), layered_cube(volumes));
+  for (const Cut cut : {Cut::none, Cut::alternating})
+    meshes.emplace_back(name_of(cut), make_mesh(o_grid(32, distances(9, 0.02, 1.4, 9), cut)));
+  return meshes;
+}
+
+}  // namespace
+
+TEST_CASE("targets over walls that stretch further are those that a new run makes, bit for bit") {
+  for (const Stretchable& mesh : stretchable_meshes()) {
+    CAPTURE(mesh.name);
     SmoothingWorkspace kept;
     std::vector<double> energies;
     for (const double stretch : {0.0, 0.2, -0.1, 0.0, 0.3}) {
       SmoothingWorkspace anew;
-      energies.push_back(energy_at(kept, stretch));
-      CHECK(energies.back() == energy_at(anew, stretch));
+      energies.push_back(mesh.prepare(kept, stretch)->energy(mesh.moved(stretch)));
+      CHECK(energies.back() == mesh.prepare(anew, stretch)->energy(mesh.moved(stretch)));
     }
     CHECK(energies[1] != energies[4]);
+  }
+}
+
+TEST_CASE("targets of some elements are those that all elements have") {
+  for (const Stretchable& mesh : stretchable_meshes()) {
+    CAPTURE(mesh.name);
+    const auto check = [&]<int D>() {
+      SmoothingWorkspace workspace;
+      mesh.prepare(workspace, 0.2);
+      const auto stretch = mesh.stretch(workspace, -0.1);
+      const TargetsOfSome<D> some = workspace.targets_with<D>(stretch, stretch->elements());
+      SmoothingWorkspace other;
+      const auto form = mesh.prepare(other, -0.1);
+      const auto& all = dynamic_cast<const SimplexWinslow<D>&>(*form).shapes();
+      REQUIRE(some.cells.size() == some.targets.cells.size());
+      REQUIRE(some.elements.size() == some.cells.size());
+      CHECK(some.cells.size() < all.cells.size());
+      std::map<std::array<Index, D + 1>, std::size_t> place;
+      for (std::size_t t = 0; t < all.cells.size(); ++t) place[all.cells[t]] = t;
+      for (std::size_t t = 0; t < some.cells.size(); ++t) {
+        const auto nodes = mesh.inputs.state.mesh.topology->element(some.elements[t]);
+        for (const Index node : some.targets.cells[t])
+          CHECK(std::ranges::find(nodes, node) != nodes.end());
+        const auto terms = some.targets.terms_of(t);
+        const auto expected = all.terms_of(place.at(some.targets.cells[t]));
+        REQUIRE(terms.size() == expected.size());
+        CHECK(std::memcmp(terms.data(), expected.data(), terms.size_bytes()) == 0);
+      }
+    };
+    mesh.inputs.state.mesh.coordinates.dimension() == 2 ? check.operator()<2>()
+                                                        : check.operator()<3>();
+  }
+}
+
+TEST_CASE("a fork of a workspace has its products, and changes none of them") {
+  for (const Stretchable& mesh : stretchable_meshes()) {
+    CAPTURE(mesh.name);
+    SmoothingWorkspace workspace;
+    const double before = mesh.prepare(workspace, 0.2)->energy(mesh.moved(0.2));
+    workspace.newton();
+    const auto fork = workspace.fork();
+    const auto form = mesh.prepare(*fork, 0.2);
+    CHECK(form->energy(mesh.moved(0.2)) == before);
+    CHECK(fork->times_made().energy_patterns == workspace.times_made().energy_patterns);
+    CHECK(&fork->symmetric_linear() != &workspace.symmetric_linear());
+    CHECK(mesh.prepare(*fork, 0.3)->energy(mesh.moved(0.2)) != before);
+    CHECK(workspace.energy()->energy(mesh.moved(0.2)) == before);
+    CHECK(form->energy(mesh.moved(0.2)) == before);
   }
 }
 
