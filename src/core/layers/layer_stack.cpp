@@ -83,7 +83,7 @@ std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinate
     return a && columns[*a].wall_node == columns[b].wall_node;
   };
   std::vector<ColumnStand> stands;
-  for (const LayerColumn& column : columns) stands.push_back({column.direction, column.slant});
+  for (const LayerColumn& column : columns) stands.push_back({column.plane_direction(), column.slant});
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (columns[c].along_boundary && columns[c].count() > 0 && columns[c].bends.empty()) {
       stands[c].direction = (x.xy(columns[c].rim()) - wall(c)).normalized();
@@ -107,7 +107,7 @@ std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinate
 
 void lay_out(const LayerStack& stack, double scale, Coordinates& x) {
   for (const LayerColumn& column : stack.columns) {
-    lay_out(column, {column.direction, column.slant}, scale, x);
+    lay_out(column, {column.plane_direction(), column.slant}, scale, x);
   }
 }
 
