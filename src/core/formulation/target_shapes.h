@@ -59,6 +59,9 @@ struct VolumeTargetDetails {
   const ElementRoles* roles = nullptr;  ///< of all elements; null: all ordinary
   /// For the share `keep`; null: no wall is stretched.
   const WallStretch* wall_stretch = nullptr;
+  /// Coordinates (#nodes by 3) in which elements with the role `layer` or `found_layer` have the
+  /// shapes that are their targets in every blend; null: their targets are like those of others.
+  const Coordinates* layer_shapes = nullptr;
 };
 
 /// Targets of a volume mesh as the blend says: one for each tetrahedron, one for each corner of the
@@ -81,8 +84,9 @@ struct VolumeTargetDetails {
 /// vcvs: may be null if the `vcv` share is zero. given: coordinates (#nodes by 3) of the mesh to
 /// which the shares `automatic` and `rest` refer; may be null if those are zero. threads: 0 for all
 /// cores; no result depends on it. urgent: elements whose weight under `automatic` is multiplied by
-/// four for each time they are listed. Throws UsageError for shares that are negative or all zero;
-/// MeshError if `rest` counts and the mesh has an inverted element.
+/// four for each time they are listed. Throws UsageError for shares that are negative or all zero,
+/// and for an element of layers that is inverted or flat in its layer_shapes; MeshError if `rest`
+/// counts and the mesh has an inverted element.
 CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
                               const TargetBlend& blend, const Coordinates* given, int threads = 0,
                               std::span<const Index> urgent = {},

@@ -21,6 +21,7 @@ class VolumeTargets : TargetBuilder {
         guarded_(details.guarded) {
     if (blend_.vcv > 0 && !vcvs) throw UsageError("targets that refer to no VCVs");
     if (refers_to_given(blend)) given_.emplace(*given);
+    if (details.layer_shapes) layer_shapes_.emplace(*details.layer_shapes);
     targets_.stretched = stretched();
   }
 
@@ -79,6 +80,8 @@ class VolumeTargets : TargetBuilder {
       return has_metric(own_edges(e, by_nodes(corner, topology_.element(e))));
     });
   }
+  /// Whether the target of an element is its shape in the wanted layers.
+  bool has_layer_shape(Index e) const { return layer_shapes_ && is_layer(e); }
   bool free(Index node) const { return !topology_.on_boundary(node); }
   /// The VCV given by hand to a node; null if there is none or the element ignores it.
   const SphereStencil* by_hand(Index e, Index node) const {
@@ -93,7 +96,7 @@ class VolumeTargets : TargetBuilder {
   }
   /// Number of nodes of a tetrahedron with their own VCV target; 0: one common target.
   Index vcv_terms(Index e, const std::array<Index, 4>& nodes) const {
-    if (topology_.element_type(e) != ElementType::tetrahedron) return 0;
+    if (topology_.element_type(e) != ElementType::tetrahedron || has_layer_shape(e)) return 0;
     if (blend_.vcv == 0 && !stencils_) return 0;
     return static_cast<Index>(std::count_if(nodes.begin(), nodes.end(),
                                             [&](Index node) { return vcv_share(e, node) > 0; }));
@@ -106,6 +109,7 @@ class VolumeTargets : TargetBuilder {
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const auto nodes = by_nodes(corners[k], topology_.element(e));
       if (!movable(nodes)) continue;
+      if (has_layer_shape(e) && !own_metric(e, nodes)) refuse_layer_shape(e);
       if (blend_.rest > 0 && !own_metric(e, nodes)) refuse_rest(e, "inverted or flat");
       targets_.cells.push_back(nodes);
       end_cell(keeps() ? 2 : std::max(vcv_terms(e, nodes), 1));
@@ -128,7 +132,7 @@ class VolumeTargets : TargetBuilder {
     const auto listed = [&](const auto& tetrahedra, bool further) {
       return static_cast<Index>(std::ranges::count_if(tetrahedra, [&](const auto& corners) {
         const auto nodes = by_nodes(corners, topology_.element(e));
-        return movable(nodes) && !(further && blend_.rest > 0 && !own_metric(e, nodes));
+        return movable(nodes) && !(further && needs_own_metric(e) && !own_metric(e, nodes));
       }));
     };
     Index count = listed(shape.corner_tetrahedra, false) + listed(shape.face_tetrahedra, true);
@@ -156,7 +160,7 @@ class VolumeTargets : TargetBuilder {
     for (std::size_t k = 0; k < tetrahedra.size(); ++k) {
       const auto nodes = by_nodes(tetrahedra[k], topology_.element(e));
       if (!movable(nodes)) continue;
-      if (blend_.rest > 0 && !own_metric(e, nodes)) continue;
+      if (needs_own_metric(e) && !own_metric(e, nodes)) continue;
       targets_.cells.push_back(nodes);
       end_cell(keeps() ? 2 : 1);
       origins_.push_back({e, static_cast<int>(before + k), 0});
@@ -181,6 +185,10 @@ class VolumeTargets : TargetBuilder {
                                              : regular_metrics(type)[at(corner)];
     if (keeps()) {
       fill_kept(cell, regular);
+      return;
+    }
+    if (has_layer_shape(e)) {
+      *term = volume_term(own_metric(e, nodes).value_or(regular), weight);
       return;
     }
     if (is_regular(e)) {
@@ -327,8 +335,14 @@ class VolumeTargets : TargetBuilder {
     return blend_.rest * *own_metric(e, nodes);
   }
 
-  /// Metric of a corner in the mesh as given, with the stretch of a wall under it; none if it is
-  /// inverted or flat.
+  /// Whether an element has no target at edges where own_metric() is none.
+  bool needs_own_metric(Index e) const { return blend_.rest > 0 && !has_layer_shape(e); }
+  [[noreturn]] static void refuse_layer_shape(Index e) {
+    throw UsageError("element " + std::to_string(e) +
+                     " is inverted or flat in the shape that its layer is to have");
+  }
+  /// Metric of a corner in the mesh as given, with the stretch of a wall under it, or in the wanted
+  /// layers; none if it is inverted or flat.
   std::optional<Eigen::Matrix3d> own_metric(Index e, const std::array<Index, 4>& nodes) const {
     const Edges3 edges = own_edges(e, nodes);
     if (!has_metric(edges)) return std::nullopt;
@@ -336,6 +350,11 @@ class VolumeTargets : TargetBuilder {
   }
   Edges3 own_edges(Index e, const std::array<Index, 4>& nodes) const {
     Edges3 edges;
+    if (has_layer_shape(e)) {
+      for (int k = 0; k < 3; ++k)
+        edges.col(k) = (*layer_shapes_)[nodes[at(k + 1)]] - (*layer_shapes_)[nodes[0]];
+      return edges;
+    }
     for (int k = 0; k < 3; ++k)
       edges.col(k) = with_wall(e, (*given_)[nodes[at(k + 1)]] - (*given_)[nodes[0]]);
     return edges;
@@ -347,6 +366,7 @@ class VolumeTargets : TargetBuilder {
   std::array<std::vector<VolumeTerm>, element_type_count> regular_terms_;
   std::vector<Origin> origins_;       // of each cell
   std::optional<SpacePoints> given_;  // if the blend refers to it
+  std::optional<SpacePoints> layer_shapes_;
   CellTargets<3> targets_;
 };
 

@@ -1,6 +1,7 @@
 #include "core/layers/layer_stack.h"
 
 #include "core/error.h"
+#include "core/layers/volume_measures.h"
 
 namespace winslow {
 
@@ -83,7 +84,8 @@ std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinate
     return a && columns[*a].wall_node == columns[b].wall_node;
   };
   std::vector<ColumnStand> stands;
-  for (const LayerColumn& column : columns) stands.push_back({column.plane_direction(), column.slant});
+  for (const LayerColumn& column : columns)
+    stands.push_back({column.plane_direction(), column.slant});
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (columns[c].along_boundary && columns[c].count() > 0 && columns[c].bends.empty()) {
       stands[c].direction = (x.xy(columns[c].rim()) - wall(c)).normalized();
@@ -194,12 +196,18 @@ ColumnMeasure measure(const LayerColumn& column, const Vec2& normal, const Coord
 bool cut_short(const LayerColumn& column) { return column.thickness() < column.asked * (1 - 1e-3); }
 
 LayerMeasures measure_layers(const LayerStack& stack, const Coordinates& x) {
-  LayerMeasures m;
+  if (x.dimension() == 3) return measure_volume_layers(stack, x);
+  std::vector<ColumnMeasure> columns;
   const std::vector<Vec2> normals = wall_normals(stack, x);
-  for (std::size_t c = 0; c < stack.columns.size(); ++c) {
-    m.columns.push_back(measure(stack.columns[c], normals[c], x));
-    if (cut_short(stack.columns[c])) ++m.cut_short;
-  }
+  for (std::size_t c = 0; c < stack.columns.size(); ++c)
+    columns.push_back(measure(stack.columns[c], normals[c], x));
+  return measures_of(stack, std::move(columns));
+}
+
+LayerMeasures measures_of(const LayerStack& stack, std::vector<ColumnMeasure> columns) {
+  LayerMeasures m;
+  m.columns = std::move(columns);
+  m.cut_short = static_cast<std::size_t>(std::ranges::count_if(stack.columns, cut_short));
   const auto all = [](const ColumnMeasure& c) { return c.thickness > 0; };
   const auto of = [&](double ColumnMeasure::*member, const auto& counts) {
     std::vector<double> values;

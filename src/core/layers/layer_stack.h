@@ -181,8 +181,10 @@ struct LayerMeasures {
   std::size_t cut_short = 0;  ///< columns for which cut_short() is true
 };
 
-/// x: #nodes by 2.
+/// x: #nodes by 2, or by 3 for layers of a volume mesh (volume_measures.h).
 LayerMeasures measure_layers(const LayerStack& stack, const Coordinates& x);
+/// The statistics of columns that were measured (#columns of the stack).
+LayerMeasures measures_of(const LayerStack& stack, std::vector<ColumnMeasure> columns);
 
 /// Whether a column is thinner than asked by more than 0.1 %, or has no layers.
 bool cut_short(const LayerColumn& column);

@@ -377,32 +377,37 @@ std::string marker_at(const Topology& topology, Index node, std::span<const std:
 }
 
 [[noreturn]] void refuse(const std::string& wall, const std::string& what, Index node,
-                         const Vec2& where) {
-  char place[96];
-  std::snprintf(place, sizeof place, "node %lld at (%.6g, %.6g)", static_cast<long long>(node),
-                where.x(), where.y());
+                         const Coordinates& x) {
+  char place[128];
+  const Vec3 where = place_of(x, node);
+  if (x.dimension() == 3)
+    std::snprintf(place, sizeof place, "node %lld at (%.6g, %.6g, %.6g)",
+                  static_cast<long long>(node), where.x(), where.y(), where.z());
+  else
+    std::snprintf(place, sizeof place, "node %lld at (%.6g, %.6g)", static_cast<long long>(node),
+                  where.x(), where.y());
   throw UsageError("keep-outside: " + what + " '" + wall + "' (" + place +
                    ") outside the region in which nodes may move; expected walls with all of their "
                    "layers inside");
 }
 
 /// The end of a column: its present or its wanted position.
-Vec2 end_of(const LayerColumn& column, const Coordinates& x) {
-  if (!column.nodes.empty()) return x.xy(column.rim());
-  return x.xy(column.wall_node) + column.thickness() * column.slant * column.plane_direction();
+Vec3 end_of(const LayerColumn& column, const Coordinates& x) {
+  if (!column.nodes.empty()) return place_of(x, column.rim());
+  return place_of(x, column.wall_node) + column.thickness() * column.slant * column.direction;
 }
 
 void require_column_inside(const FreeRegion& region, const LayerColumn& column, const Mesh& mesh,
                            std::span<const std::string> names) {
   const Coordinates& x = mesh.coordinates;
   const auto wall = [&] { return marker_at(*mesh.topology, column.wall_node, names); };
-  const Vec2 foot = x.xy(column.wall_node);
-  if (!region.holds(foot)) refuse(wall(), "there is a part of the wall", column.wall_node, foot);
+  if (!region.holds(place_of(x, column.wall_node)))
+    refuse(wall(), "there is a part of the wall", column.wall_node, x);
   for (const Index node : column.nodes)
-    if (!region.holds(x.xy(node))) refuse(wall(), "there are layers of the wall", node, x.xy(node));
+    if (!region.holds(place_of(x, node))) refuse(wall(), "there are layers of the wall", node, x);
   // A region is convex: it contains a straight column if it contains both ends.
   if (!region.holds(end_of(column, x)))
-    refuse(wall(), "there would be layers of the wall", column.wall_node, foot);
+    refuse(wall(), "there would be layers of the wall", column.wall_node, x);
 }
 
 bool has_kept_node(const LayerColumn& column, std::span<const Index> kept) {

@@ -134,6 +134,10 @@ struct RunOptions {
   /// Factors of the heights of layers in the targets (WallStretch::find()), for a run that corrects
   /// heights. Null: none.
   const std::vector<double>* layer_factors = nullptr;
+  /// Coordinates in which elements with the role of layers have the shapes that are their targets
+  /// (VolumeTargetDetails::layer_shapes), for smoothing in place that opens the layers of a volume
+  /// mesh. Null: they have targets like others.
+  std::shared_ptr<const Coordinates> layer_shapes = nullptr;
   NearStart near = {};  ///< used together with `start`
 };
 

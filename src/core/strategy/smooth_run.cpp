@@ -344,7 +344,8 @@ SmoothResult smooth_interior(const MeshState& state, const SmoothOptions& asked,
   CurveRows none;
   const auto classes = classes_of(state, nullptr, options, run, result, none);
   workspace.prepare(state, classes, options, options.targets.keep > 0 ? state.reference : nullptr,
-                    wall_stretch(state, classes, options, nullptr, run, workspace));
+                    wall_stretch(state, classes, options, nullptr, run, workspace),
+                    run.layer_shapes);
   result.kept_outside = keep_fixed(state, workspace.classes(), options.slide.hold_nodes,
                                    result.boundary.interfaces, x);
   RunRecorder recorder(run.monitor, result, budget(options));

@@ -46,7 +46,8 @@ void SmoothingWorkspace::prepare(const MeshState& state,
                                  const std::shared_ptr<const NodeClasses>& classes,
                                  const SmoothOptions& options,
                                  const std::shared_ptr<const Coordinates>& reference,
-                                 std::shared_ptr<const WallStretch> wall_stretch) {
+                                 std::shared_ptr<const WallStretch> wall_stretch,
+                                 std::shared_ptr<const Coordinates> layer_shapes) {
   run_ = {};
   const auto& topology = classes->shared_topology();
   if (!classes_ || classes_->shared_topology() != topology)
@@ -59,6 +60,7 @@ void SmoothingWorkspace::prepare(const MeshState& state,
   vcvs_ = state.vcvs;
   roles_ = state.roles;
   wall_stretch_ = std::move(wall_stretch);
+  layer_shapes_ = std::move(layer_shapes);
   const Coordinates& given = reference ? *reference : state.mesh.coordinates;
   const bool needs_given = in_space() || refers_to_given(options.targets);
   if (!needs_given)
@@ -194,7 +196,8 @@ SmoothingWorkspace::FormKey SmoothingWorkspace::form_key() {
           vcvs_.by_hand(),
           roles_,
           run_.urgent,
-          wall_stretch_};
+          wall_stretch_,
+          layer_shapes_};
 }
 
 template <typename Form>
@@ -210,10 +213,11 @@ std::shared_ptr<const VariationalForm> SmoothingWorkspace::make_form(const FormK
   const NodeClasses* classes = key.pattern.unknowns.get();
   const int threads = key.pattern.threads;
   if (!key.plane_vcvs) {  // of a volume mesh
-    const CellTargets<3> targets = volume_targets(classes->topology(), key.space_vcvs.get(),
-                                                  key.targets, key.given.get(), threads, key.urgent,
-                                                  {classes, key.stencils.get(), key.pattern.guarded,
-                                                   key.roles.get(), key.wall_stretch.get()});
+    const CellTargets<3> targets =
+        volume_targets(classes->topology(), key.space_vcvs.get(), key.targets, key.given.get(),
+                       threads, key.urgent,
+                       {classes, key.stencils.get(), key.pattern.guarded, key.roles.get(),
+                        key.wall_stretch.get(), key.layer_shapes.get()});
     return std::make_shared<const VolumeWinslow>(
         energy_pattern<VolumeWinslow>(key.pattern, targets), targets, options_.penalty);
   }
@@ -265,11 +269,11 @@ TargetsOfSome<D> SmoothingWorkspace::targets_of(const FormKey& key, std::span<co
                                     threads, key.urgent, classes,
                                     {key.roles.get(), key.wall_stretch.get()}, any_without_shape);
   } else {
-    return volume_targets_of(
-        elements, classes->topology(), key.space_vcvs.get(), key.targets, key.given.get(), threads,
-        key.urgent,
-        {classes, key.stencils.get(), key.pattern.guarded, key.roles.get(), key.wall_stretch.get()},
-        any_without_shape);
+    return volume_targets_of(elements, classes->topology(), key.space_vcvs.get(), key.targets,
+                             key.given.get(), threads, key.urgent,
+                             {classes, key.stencils.get(), key.pattern.guarded, key.roles.get(),
+                              key.wall_stretch.get(), key.layer_shapes.get()},
+                             any_without_shape);
   }
 }
 

@@ -82,8 +82,8 @@ VolumeVcvOptions volume_vcv_options(const SmoothOptions& options, const Topology
 ///
 ///   pattern         which nodes move, guarded elements
 ///   VCVs            of volume meshes: kind, mesh as given, stencils by hand, adjustments
-///   energy          pattern, targets, mesh as given, stretch of walls, VCVs, roles of elements,
-///                   elements that count more, penalty
+///   energy          pattern, targets, mesh as given, stretch of walls, shapes of layers, VCVs,
+///                   roles of elements, elements that count more, penalty
 ///   pointwise form  pattern, VCVs
 ///   linear solvers  which nodes move, options
 ///   outer solvers   form, linear solver; new ones for each run
@@ -101,11 +101,12 @@ class SmoothingWorkspace {
   /// mesh, which is copied if needed, or to `reference` if that is not null. The VCVs, of the kind
   /// in the options, are made when an equation first needs them; those given by hand come from the
   /// state. classes: which nodes move. wall_stretch: for targets `keep`; null: no wall is
-  /// stretched.
+  /// stretched. layer_shapes: VolumeTargetDetails::layer_shapes.
   void prepare(const MeshState& state, const std::shared_ptr<const NodeClasses>& classes,
                const SmoothOptions& options,
                const std::shared_ptr<const Coordinates>& reference = nullptr,
-               std::shared_ptr<const WallStretch> wall_stretch = nullptr);
+               std::shared_ptr<const WallStretch> wall_stretch = nullptr,
+               std::shared_ptr<const Coordinates> layer_shapes = nullptr);
 
   /// The walls that a motion stretches, and the elements in layers over them. Takes no time if the
   /// last call had the same reference mesh and the same nodes that move.
@@ -243,6 +244,7 @@ class SmoothingWorkspace {
     std::shared_ptr<const ElementRoles> roles;
     std::vector<Index> urgent;
     std::shared_ptr<const WallStretch> wall_stretch;
+    std::shared_ptr<const Coordinates> layer_shapes;  ///< null: layers have targets like others
     bool operator==(const FormKey&) const = default;
   };
   struct EnergyKey {
@@ -305,6 +307,7 @@ class SmoothingWorkspace {
   std::shared_ptr<const ElementRoles> roles_;
   GivenMesh given_;  // null: nothing refers to it
   std::shared_ptr<const WallStretch> wall_stretch_;
+  std::shared_ptr<const Coordinates> layer_shapes_;
   std::optional<WallLayers> wall_layers_;  // of the last call of walls()
   Run run_;
   Products made_;
