@@ -150,7 +150,8 @@ class DirectionFinder {
     ColumnDirection& column = directions_.back();
     const double cosine = least_cosine(column.direction, normals_);
     const std::string place = node_text(mesh_, surface_.nodes[at(i)]);
-    if (column.along_boundary && cosine < 1 / most_slant) {
+    const bool blunt = narrowest_cone(normals_).cosine >= 1 / most_slant;
+    if (column.along_boundary && blunt && cosine < 1 / most_slant) {
       throw UsageError(
           "the wall ends at " + place +
           ", where it goes on almost straight into a boundary without layers; layers "

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include "core/layers/space/wall_surface.h"
 
 /// The directions of columns on the walls of a volume mesh:

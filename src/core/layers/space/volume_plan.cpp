@@ -1,7 +1,5 @@
 #include "core/layers/space/volume_plan.h"
 
-#include <Eigen/Geometry>
-
 #include "core/error.h"
 #include "core/layers/space/ball_clearance.h"
 #include "core/layers/space/column_direction.h"
