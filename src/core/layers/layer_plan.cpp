@@ -270,23 +270,30 @@ void require(bool good, const char* what) {
 }  // namespace
 
 LayerOptions with_counts(LayerOptions options, const Mesh& mesh) {
-  require_plane(*mesh.topology, "layers");
+  // Height of a regular triangle or tetrahedron, as a share of its edge.
+  const double share = in_dimension(*mesh.topology, "layers", [](auto dimension) {
+    return dimension == 2 ? std::sqrt(0.75) : std::sqrt(2.0 / 3);
+  });
   for (LayerWall& wall : options.walls) {
     if (!wall.spacing.match_outside) continue;
     std::vector<double> lengths;
     for (const std::string& name : wall.markers) {
       const auto marker = mesh.topology->markers().find(name);
       if (!marker) continue;
-      for (const Face& edge : mesh.topology->markers()[at(*marker)].faces) {
-        const auto [a, b] = edge.edge();
-        const Vec2 p = mesh.coordinates.xy(a), q = mesh.coordinates.xy(b);
-        if (wall.part.holds(p) && wall.part.holds(q)) lengths.push_back((q - p).norm());
+      for (const Face& face : mesh.topology->markers()[at(*marker)].faces) {
+        const std::size_t edges = face.size() == 2 ? 1 : face.size();
+        for (std::size_t k = 0; k < edges; ++k) {
+          const Vec3 p = place_of(mesh.coordinates, face[k]);
+          const Vec3 q = place_of(mesh.coordinates, face[(k + 1) % face.size()]);
+          if (wall.part.holds(p.head<2>()) && wall.part.holds(q.head<2>()))
+            lengths.push_back((q - p).norm());
+        }
       }
     }
     if (lengths.empty()) continue;
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::nth_element(lengths.begin(), middle, lengths.end());
-    wall.spacing.count = layers_until(wall.spacing, std::sqrt(0.75) * *middle);
+    wall.spacing.count = layers_until(wall.spacing, share * *middle);
   }
   return options;
 }

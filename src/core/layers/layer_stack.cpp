@@ -29,6 +29,15 @@ void lay_out(const LayerColumn& column, const ColumnStand& stand, double scale, 
   }
 }
 
+void lay_out_in_space(const LayerColumn& column, double scale, Coordinates& x) {
+  const Vec3 wall = x.xyz(column.wall_node);
+  double height = 0;
+  for (std::size_t k = 0; k < column.count(); ++k) {
+    height += column.heights[k];
+    x.set_xyz(column.nodes[k + 1], wall + scale * height * column.slant * column.direction);
+  }
+}
+
 /// The neighbours of a column; none at the end of a wall.
 struct Beside {
   std::optional<std::size_t> left, right;
@@ -109,7 +118,11 @@ std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinate
 
 void lay_out(const LayerStack& stack, double scale, Coordinates& x) {
   for (const LayerColumn& column : stack.columns) {
-    lay_out(column, {column.plane_direction(), column.slant}, scale, x);
+    if (x.dimension() == 3) {
+      lay_out_in_space(column, scale, x);
+    } else {
+      lay_out(column, {column.plane_direction(), column.slant}, scale, x);
+    }
   }
 }
 

@@ -132,7 +132,7 @@ std::vector<ColumnStand> stand_on(const Vec2& arriving, const Vec2& leaving, std
 std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinates& x);
 
 /// Moves the nodes of all columns to `scale` times their wanted distances from the wall, along the
-/// planned directions.
+/// planned directions. x: #nodes by 2, or by 3 in space.
 void lay_out(const LayerStack& stack, double scale, Coordinates& x);
 
 /// x with all nodes of columns at their wanted distances from the walls in x. Columns are straight,
