@@ -57,12 +57,11 @@ void measure(LayerStack& stack, const Mesh& mesh, bool course) {
   const auto stands = column_stands(stack, x);
   for (std::size_t c = 0; c < stack.columns.size(); ++c) {
     LayerColumn& column = stack.columns[c];
-    column.direction = stands[c].direction;
-    column.slant = stands[c].slant;
+    set_stand(column, stands[c]);
     for (std::size_t k = 0; k < column.count(); ++k) {
       const Vec2 edge = x.xy(column.nodes[k + 1]) - x.xy(column.nodes[k]);
       column.heights[k] = edge.norm() / column.slant;
-      if (course) column.bends[k] = turn_between(column.direction, edge);
+      if (course) column.bends[k] = turn_between(column.plane_direction(), edge);
     }
     column.first = column.count() > 0 ? column.heights[0] : 0;
     column.asked = column.room = column.thickness();

@@ -67,7 +67,7 @@ class Inserter {
     }
     for (auto& [node, fan] : fans_) {
       for (std::size_t c = fan.first; c < fan.last; ++c) {
-        const Vec2 between = stack_.columns[c].direction + stack_.columns[c + 1].direction;
+        const Vec2 between = stack_.columns[c].plane_direction() + stack_.columns[c + 1].plane_direction();
         fan.spokes.push_back(spoke_towards(node, between));
       }
     }
@@ -173,7 +173,7 @@ class Inserter {
       // The column lies on that of the two boundary edges which points along it.
       const Vec2 p = old_.coordinates.xy(column.wall_node);
       const auto along = [&](Index node) {
-        return (old_.coordinates.xy(node) - p).normalized().dot(column.direction);
+        return (old_.coordinates.xy(node) - p).normalized().dot(column.plane_direction());
       };
       const Index other = along(row.front()) > along(row.back()) ? row.front() : row.back();
       divided[{column.wall_node, other}] = &column;

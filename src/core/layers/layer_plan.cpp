@@ -116,8 +116,7 @@ class ChainPlanner {
     }
     const double turning = angle - pi;  // convex positive
     for (const ColumnStand& stand : stand_on(-back, forth, column_count(turning, own))) {
-      column.direction = stand.direction;
-      column.slant = stand.slant;
+      set_stand(column, stand);
       stack.columns.push_back(column);
     }
   }
@@ -151,9 +150,8 @@ class ChainPlanner {
     }
     if (own && own->thickness) column.asked = column.room = std::min(column.room, *own->thickness);
     constexpr double most = 0.6;  // of the edge that it lies on
-    column.direction = other.normalized();
     column.along_boundary = angle > radians(30) && angle < radians(150);
-    if (column.along_boundary) column.slant = 1 / std::sin(angle);
+    set_stand(column, {other.normalized(), column.along_boundary ? 1 / std::sin(angle) : 1});
     const double room = column.along_boundary ? most * other.norm() / column.slant : 0;
     if (room < column.room) {
       column.room = room;
@@ -183,7 +181,7 @@ class RoomKeeper {
     const Clearance clearance(topology, x_, tallest / (2 * options_.clearance));
     for (LayerColumn& c : columns_) {
       if (c.along_boundary) continue;
-      const double width = 2 * clearance.radius(c.wall_node, c.direction);
+      const double width = 2 * clearance.radius(c.wall_node, c.plane_direction());
       limit(c, options_.clearance * width / c.slant, LayerLimit::clearance);
     }
   }
@@ -231,8 +229,8 @@ class RoomKeeper {
     limit(b, a.room + step, LayerLimit::neighbour);
     if (length == 0) return;
     // The part of the edge that each column covers.
-    const double of_a = std::max(0.0, a.room * a.slant * a.direction.dot(edge) / length);
-    const double of_b = std::max(0.0, -b.room * b.slant * b.direction.dot(edge) / length);
+    const double of_a = std::max(0.0, a.room * a.slant * a.plane_direction().dot(edge) / length);
+    const double of_b = std::max(0.0, -b.room * b.slant * b.plane_direction().dot(edge) / length);
     const double most = (1 - options_.crossing) * length;
     if (of_a + of_b <= most) return;
     const double scale = most / (of_a + of_b);
@@ -272,23 +270,30 @@ void require(bool good, const char* what) {
 }  // namespace
 
 LayerOptions with_counts(LayerOptions options, const Mesh& mesh) {
-  require_plane(*mesh.topology, "layers");
+  // Height of a regular triangle or tetrahedron, as a share of its edge.
+  const double share = in_dimension(*mesh.topology, "layers", [](auto dimension) {
+    return dimension == 2 ? std::sqrt(0.75) : std::sqrt(2.0 / 3);
+  });
   for (LayerWall& wall : options.walls) {
     if (!wall.spacing.match_outside) continue;
     std::vector<double> lengths;
     for (const std::string& name : wall.markers) {
       const auto marker = mesh.topology->markers().find(name);
       if (!marker) continue;
-      for (const Face& edge : mesh.topology->markers()[at(*marker)].faces) {
-        const auto [a, b] = edge.edge();
-        const Vec2 p = mesh.coordinates.xy(a), q = mesh.coordinates.xy(b);
-        if (wall.part.holds(p) && wall.part.holds(q)) lengths.push_back((q - p).norm());
+      for (const Face& face : mesh.topology->markers()[at(*marker)].faces) {
+        const std::size_t edges = face.size() == 2 ? 1 : face.size();
+        for (std::size_t k = 0; k < edges; ++k) {
+          const Vec3 p = place_of(mesh.coordinates, face[k]);
+          const Vec3 q = place_of(mesh.coordinates, face[(k + 1) % face.size()]);
+          if (wall.part.holds(p.head<2>()) && wall.part.holds(q.head<2>()))
+            lengths.push_back((q - p).norm());
+        }
       }
     }
     if (lengths.empty()) continue;
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::nth_element(lengths.begin(), middle, lengths.end());
-    wall.spacing.count = layers_until(wall.spacing, std::sqrt(0.75) * *middle);
+    wall.spacing.count = layers_until(wall.spacing, share * *middle);
   }
   return options;
 }
@@ -416,9 +421,8 @@ class Fitting {
     const auto stands = column_stands(stack_, moved_);
     for (std::size_t c = 0; c < stack_.columns.size(); ++c) {
       LayerColumn& column = stack_.columns[c];
-      before_.push_back({column.direction, column.slant});
-      column.direction = stands[c].direction;
-      column.slant = stands[c].slant;
+      before_.push_back({column.plane_direction(), column.slant});
+      set_stand(column, stands[c]);
       granted_.push_back(sum_of(column.granted.empty() ? column.heights : column.granted));
       room_.push_back(granted_.back());
       limits_.push_back(LayerLimit::none);
@@ -456,7 +460,7 @@ class Fitting {
         const double width = 2 * earlier.radius(column.wall_node, before_[c].direction);
         own = std::max(own, room_[c] * before_[c].slant / width);
       }
-      const double width = 2 * now.radius(column.wall_node, column.direction);
+      const double width = 2 * now.radius(column.wall_node, column.plane_direction());
       limit(c, own * width / column.slant, LayerLimit::clearance);
     }
   }
@@ -549,7 +553,7 @@ std::vector<std::size_t> crossing_columns(const LayerStack& stack, const Coordin
   const auto points = [&](const LayerColumn& column) {
     std::vector<Vec2> all{x.xy(column.wall_node)};
     for (std::size_t k = 0; k < column.count(); ++k) {
-      all.push_back(all.back() + wanted_length(column, k) * column.direction);
+      all.push_back(all.back() + wanted_length(column, k) * column.plane_direction());
     }
     return all;
   };

@@ -35,7 +35,8 @@ struct LayerOptions {
 void validate(const LayerOptions& options);
 
 /// The options with `count` set for walls with match_outside: the number of layers until the last
-/// one has the height of equilateral triangles on the median edge of the wall.
+/// one has the height of equilateral triangles, or regular tetrahedra, on the median edge of the
+/// wall.
 LayerOptions with_counts(LayerOptions options, const Mesh& mesh);
 
 /// Plans the columns of layers with their directions and heights; without nodes. The thickness is

@@ -28,6 +28,15 @@ void lay_out(const LayerColumn& column, const ColumnStand& stand, double scale, 
   }
 }
 
+void lay_out_in_space(const LayerColumn& column, double scale, Coordinates& x) {
+  const Vec3 wall = x.xyz(column.wall_node);
+  double height = 0;
+  for (std::size_t k = 0; k < column.count(); ++k) {
+    height += column.heights[k];
+    x.set_xyz(column.nodes[k + 1], wall + scale * height * column.slant * column.direction);
+  }
+}
+
 /// The neighbours of a column; none at the end of a wall.
 struct Beside {
   std::optional<std::size_t> left, right;
@@ -83,7 +92,8 @@ std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinate
     return a && columns[*a].wall_node == columns[b].wall_node;
   };
   std::vector<ColumnStand> stands;
-  for (const LayerColumn& column : columns) stands.push_back({column.direction, column.slant});
+  for (const LayerColumn& column : columns)
+    stands.push_back({column.plane_direction(), column.slant});
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (columns[c].along_boundary && columns[c].count() > 0 && columns[c].bends.empty()) {
       stands[c].direction = (x.xy(columns[c].rim()) - wall(c)).normalized();
@@ -107,7 +117,11 @@ std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinate
 
 void lay_out(const LayerStack& stack, double scale, Coordinates& x) {
   for (const LayerColumn& column : stack.columns) {
-    lay_out(column, {column.direction, column.slant}, scale, x);
+    if (x.dimension() == 3) {
+      lay_out_in_space(column, scale, x);
+    } else {
+      lay_out(column, {column.plane_direction(), column.slant}, scale, x);
+    }
   }
 }
 

@@ -40,7 +40,7 @@ std::string_view end_name(LayerEnd end);  ///< "elements", ...
 struct LayerColumn {
   Index wall_node = -1;
   int wall = 0;                 ///< index of its wall in the list of walls
-  Vec2 direction{0, 0};         ///< unit vector from the wall
+  Vec3 direction{0, 0, 0};      ///< unit vector from the wall; z is 0 in the plane
   double slant = 1;             ///< length along the column per unit of height
   bool along_boundary = false;  ///< at the end of a wall: the column lies on the next boundary
   double first = 0;             ///< height asked for the first layer
@@ -63,6 +63,7 @@ struct LayerColumn {
   std::size_t count() const { return heights.size(); }
   double thickness() const { return std::accumulate(heights.begin(), heights.end(), 0.0); }
   Index rim() const { return nodes.back(); }
+  Vec2 plane_direction() const { return direction.head<2>(); }
 };
 
 /// Two neighbouring columns; `left` is the first along the wall with the elements on the left.
@@ -70,10 +71,22 @@ struct ColumnPair {
   std::size_t left = 0, right = 0;
 };
 
+/// A face of a wall of a volume mesh by the columns at its nodes, counter-clockwise seen from the
+/// layers.
+struct ColumnFace {
+  std::array<std::size_t, 4> columns{};
+  int count = 0;  ///< 3 or 4
+
+  std::span<const std::size_t> corners() const {
+    return std::span(columns).first(static_cast<std::size_t>(count));
+  }
+};
+
 /// Layers of elements along walls.
 struct LayerStack {
   std::vector<LayerColumn> columns;
-  std::vector<ColumnPair> pairs;
+  std::vector<ColumnPair> pairs;  ///< of a plane mesh
+  std::vector<ColumnFace> faces;  ///< of a volume mesh
   /// #elements: layer of each, 0 at the wall; -1 outside the layers. Filled by insertion.
   std::vector<int> layer_of_element;
   bool held = false;  ///< the VCVs of the nodes in layers have the wanted heights
@@ -103,6 +116,12 @@ struct ColumnStand {
   double slant = 1;      ///< length along the column per unit of height
 };
 
+/// Gives a column of a plane mesh its direction and its slant.
+inline void set_stand(LayerColumn& column, const ColumnStand& stand) {
+  column.direction = {stand.direction.x(), stand.direction.y(), 0};
+  column.slant = stand.slant;
+}
+
 /// Directions of `count` columns on one wall node. arriving, leaving: its wall edges along the
 /// wall, with the elements on the left. A single column bisects the angle; the columns of a fan are
 /// spread from the normal of one edge to that of the other.
@@ -113,7 +132,7 @@ std::vector<ColumnStand> stand_on(const Vec2& arriving, const Vec2& leaving, std
 std::vector<ColumnStand> column_stands(const LayerStack& stack, const Coordinates& x);
 
 /// Moves the nodes of all columns to `scale` times their wanted distances from the wall, along the
-/// planned directions.
+/// planned directions. x: #nodes by 2, or by 3 in space.
 void lay_out(const LayerStack& stack, double scale, Coordinates& x);
 
 /// x with all nodes of columns at their wanted distances from the walls in x. Columns are straight,

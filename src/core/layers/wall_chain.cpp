@@ -7,14 +7,14 @@
 
 namespace winslow {
 
-namespace {
-
-Index marker_named(const Topology& topology, const std::string& name) {
+Index require_marker(const Topology& topology, const std::string& name) {
   const auto found = topology.markers().find(name);
   if (found) return *found;
   throw UsageError("the mesh has no marker '" + name + "'; it has: " +
                    listed(topology.markers(), [](const Marker& marker) { return marker.name; }));
 }
+
+namespace {
 
 /// The walls of the edges that get layers, by the index of the edge in the topology.
 std::map<Index, Index> wall_edges(const Mesh& mesh, std::span<const LayerWall> walls) {
@@ -25,7 +25,7 @@ std::map<Index, Index> wall_edges(const Mesh& mesh, std::span<const LayerWall> w
     const WallPart& part = walls[w].part;
     bool any = false;
     for (const std::string& name : walls[w].markers) {
-      const Index marker = marker_named(topology, name);
+      const Index marker = require_marker(topology, name);
       for (const Face& edge : topology.markers()[at(marker)].faces) {
         const auto [a, b] = edge.edge();
         if (!part.holds(x[a]) || !part.holds(x[b])) continue;

@@ -18,6 +18,9 @@ struct WallChain {
   Index node(std::size_t i) const { return nodes[i % nodes.size()]; }
 };
 
+/// Index of the marker with a name. Throws UsageError naming the markers of the mesh.
+Index require_marker(const Topology& topology, const std::string& name);
+
 /// Finds the chains of all walls together. Throws UsageError for an unknown marker, an edge of two
 /// walls, a marker edge inside the mesh, a polygon at a wall, a wall without an edge, and a mesh
 /// that is not plane.

@@ -14,10 +14,7 @@ std::shared_ptr<const VirtualControlVolumes> vcvs_over(const MeshState& result,
                                                        const Coordinates& x) {
   LayerStack stack = *result.layers;
   const auto stands = column_stands(stack, x);
-  for (std::size_t c = 0; c < stands.size(); ++c) {
-    stack.columns[c].direction = stands[c].direction;
-    stack.columns[c].slant = stands[c].slant;
-  }
+  for (std::size_t c = 0; c < stands.size(); ++c) set_stand(stack.columns[c], stands[c]);
   return layer_vcvs(result.mesh.topology, stack, *result.vcvs.plane(), x);
 }
 

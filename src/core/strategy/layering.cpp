@@ -33,7 +33,7 @@ class RimMotion final : public Motion {
     const double share = begin_ + (1 - begin_) * fraction;
     for (const auto& [node, column] : rims_) {
       const double length = share * column->thickness() * column->slant;
-      out.set_xy(node, rest.xy(column->wall_node) + length * column->direction);
+      out.set_xy(node, rest.xy(column->wall_node) + length * column->plane_direction());
     }
   }
 
@@ -255,10 +255,7 @@ SmoothResult hold_spacing(MeshState& state, SmoothResult moved, const SmoothOpti
   const double tolerance = found ? 1e-2 : 5e-3;
   // The walls may have turned and changed their shape.
   const auto stands = column_stands(stack, state.mesh.coordinates);
-  for (std::size_t c = 0; c < stands.size(); ++c) {
-    stack.columns[c].direction = stands[c].direction;
-    stack.columns[c].slant = stands[c].slant;
-  }
+  for (std::size_t c = 0; c < stands.size(); ++c) set_stand(stack.columns[c], stands[c]);
   const double error =
       measure_movable_layers(stack, state.mesh.coordinates, *run.kept).spacing_error.max;
   state.layers = std::make_shared<const LayerStack>(std::move(stack));
@@ -392,7 +389,7 @@ std::string marker_at(const Topology& topology, Index node, std::span<const std:
 /// The end of a column: its present or its wanted position.
 Vec2 end_of(const LayerColumn& column, const Coordinates& x) {
   if (!column.nodes.empty()) return x.xy(column.rim());
-  return x.xy(column.wall_node) + column.thickness() * column.slant * column.direction;
+  return x.xy(column.wall_node) + column.thickness() * column.slant * column.plane_direction();
 }
 
 void require_column_inside(const FreeRegion& region, const LayerColumn& column, const Mesh& mesh,

@@ -62,10 +62,7 @@ Motions bend(const std::string& marker, double amplitude) {
 /// The VCVs of layers with their corrections, over the walls of a mesh.
 Vcvs vcvs_over(const Mesh& mesh, LayerStack layers) {
   const auto stands = column_stands(layers, mesh.coordinates);
-  for (std::size_t c = 0; c < stands.size(); ++c) {
-    layers.columns[c].direction = stands[c].direction;
-    layers.columns[c].slant = stands[c].slant;
-  }
+  for (std::size_t c = 0; c < stands.size(); ++c) set_stand(layers.columns[c], stands[c]);
   return layer_vcvs(mesh.topology, layers, VirtualControlVolumes(mesh.topology), mesh.coordinates);
 }
 

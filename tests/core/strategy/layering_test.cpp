@@ -154,7 +154,7 @@ TEST_CASE("columns with a node that is kept neither count nor are corrected") {
   const LayerStack& stack = *state.layers;
   Coordinates x = state.mesh.coordinates;
   const Index node = stack.columns[3].nodes[2];
-  x.set_xy(node, x.xy(node) + 0.001 * stack.columns[3].direction);
+  x.set_xy(node, x.xy(node) + 0.001 * stack.columns[3].plane_direction());
   const std::vector<Index> kept{node};
   CHECK(measure_movable_layers(stack, x, {}).spacing_error.max > 0.1);
   CHECK(measure_movable_layers(stack, x, kept).spacing_error.max < 0.01);

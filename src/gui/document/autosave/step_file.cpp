@@ -10,7 +10,7 @@ namespace winslow::gui {
 namespace {
 
 /// Also detects a different byte order.
-constexpr std::uint64_t magic = 0x000b504554534e57;  // "WNSTEP", version 11
+constexpr std::uint64_t magic = 0x000c504554534e57;  // "WNSTEP", version 12
 
 /// Processes every field of a record, for reading and writing.
 template <class Archive, class Record>
@@ -50,9 +50,9 @@ void topology_fields(Archive& archive, Data& data) {
 template <class Archive, class Stack>
 void layer_fields(Archive& archive, Stack& stack) {
   archive.list(stack.columns, [](auto& a, auto& column) {
-    a.each(column.wall_node, column.wall, column.direction.x(), column.direction.y(), column.slant,
-           column.along_boundary, column.first, column.asked, column.room, column.limit,
-           column.prescribed);
+    a.each(column.wall_node, column.wall, column.direction.x(), column.direction.y(),
+           column.direction.z(), column.slant, column.along_boundary, column.first, column.asked,
+           column.room, column.limit, column.prescribed);
     a.numbers(column.heights);
     a.numbers(column.granted);
     a.number(column.granted_limit);
@@ -62,6 +62,10 @@ void layer_fields(Archive& archive, Stack& stack) {
     a.numbers(column.nodes);
   });
   archive.numbers(stack.pairs);
+  archive.list(stack.faces, [](auto& a, auto& face) {
+    for (auto& column : face.columns) a.number(column);
+    a.number(face.count);
+  });
   archive.numbers(stack.layer_of_element);
   archive.number(stack.held);
 }
@@ -497,6 +501,12 @@ std::string fault_of(const LayerStack& stack, const Topology& topology) {
   for (const ColumnPair& pair : stack.pairs)
     if (pair.left >= stack.columns.size() || pair.right >= stack.columns.size())
       return "neighbours of a column that does not exist";
+  for (const ColumnFace& face : stack.faces) {
+    if (face.count != 3 && face.count != 4)
+      return "a face of a wall between " + std::to_string(face.count) + " columns";
+    for (const std::size_t column : face.corners())
+      if (column >= stack.columns.size()) return "a face between columns that do not exist";
+  }
   if (stack.layer_of_element.size() != static_cast<std::size_t>(topology.element_count()))
     return "layers of " + std::to_string(stack.layer_of_element.size()) + " elements";
   for (const int layer : stack.layer_of_element)

@@ -294,7 +294,7 @@ std::vector<ScreenPoint> points_of(const LayerColumn& column, const Coordinates&
   Vec2 at = x.xy(column.wall_node);
   std::vector<ScreenPoint> points{view.to_screen(at)};
   for (std::size_t k = 0; k < column.count(); ++k) {
-    at += wanted_length(column, k) * column.direction;
+    at += wanted_length(column, k) * column.plane_direction();
     points.push_back(view.to_screen(at));
   }
   return points;
