@@ -68,5 +68,5 @@ for axis, points, title in panels:
                            array=np.asarray(grid.point_data["temperature"])[mesh.cells["quad"]].mean(axis=1))
     axis.add_collection(cells)
     axis.set(xlim=(-2.05, 2.05), ylim=(-1.55, 1.55), aspect="equal", title=title, xlabel="x", ylabel="y")
-figure.colorbar(cells, ax=axes, shrink=0.85, label="temperature, an array of the grid")
+figure.colorbar(cells, ax=axes, shrink=0.74, label="temperature, an array of the grid")
 figure.savefig(PICTURE, dpi=110)

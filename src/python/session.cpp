@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/job/edit_job.h"
+#include "app/options/flags.h"
 #include "core/command/option_tables.h"
 #include "core/error.h"
 #include "core/session/deformer.h"
@@ -92,13 +93,14 @@ class Session {
       if (deform.markers.empty())
         throw UsageError("markers: found none, expected the names of what moves, or None");
     }
+    const std::vector<std::string> held = names_of(taken(keywords, "hold_layers"), "hold_layers");
     set_motion_options(deform, keywords);
     PositionTable table;
     table.source = "positions";
     deform.shape = table;
     {
       const py::gil_scoped_release released;
-      start(*mesh, deform, arguments);
+      start(*mesh, deform, held, arguments);
     }
     given_ = zone_->source.mesh.topology == mesh->file.mesh.topology
                  ? mesh
@@ -230,13 +232,11 @@ class Session {
     for (const char* name : {"progress", "allow_incomplete"})
       if (keywords.contains(name))
         throw UsageError(std::string(name) + " is an argument of step()");
-    if (keywords.contains("hold_layers"))
-      throw UsageError(
-          "hold_layers: a deformer holds no layers; the shapes of elements are kept without it");
     python::set_motion(deform.how, deform.smooth, {}, keywords);
   }
 
-  void start(const MeshValue& mesh, DeformCommand& deform, const RunArguments& arguments) {
+  void start(const MeshValue& mesh, const DeformCommand& deform,
+             const std::vector<std::string>& held, const RunArguments& arguments) {
     Command command = deform;
     app::expand_groups(command, {mesh.file});
     app::check_markers({command}, mesh.topology(), "the mesh");
@@ -247,7 +247,13 @@ class Session {
     how_ = ready.how;
     smooth_ = independent_of_start(ready.smooth);  // as the deformer takes it
     if (!markers_.empty()) nodes_ = mesh.topology().markers().nodes_of(markers_);
-    deformer_.emplace(zone_->result, DeformerOptions{smooth_, how_, zone_->files.front()});
+    MeshState given = zone_->result;
+    const std::vector<Command> commands = app::holding_layers(held, smooth_, SmoothCommand{});
+    if (commands.size() > 1) {
+      app::check_markers({commands.front()}, mesh.topology(), "the mesh");
+      given = execute(commands.front(), given).state;
+    }
+    deformer_.emplace(std::move(given), DeformerOptions{smooth_, how_, zone_->files.front()});
   }
 
   std::vector<std::string> moved(const py::object& markers) const {

@@ -29,6 +29,22 @@ class Steps(PackageTest):
         self.mesh = ring()
         self.deformer = winslow.Deformer(self.mesh, "body", threads=1)
 
+    def test_held_layers(self):
+        mesh = winslow.layers(ASSETS / "coarse" / "naca0012.su2", "airfoil", count=6, first=1e-3, ratio=1.2).mesh
+        deformer = winslow.Deformer(mesh, "airfoil", hold_layers="airfoil", threads=1)
+        wall = deformer.nodes
+        for turn in (2, 4, 3):
+            deformer.set_motion(rotate=turn, pivot=(0.25, 0))
+            result = deformer.step()
+            single = winslow.move(mesh, "airfoil", rotate=turn, pivot=(0.25, 0), hold_layers="airfoil")
+            np.testing.assert_allclose(result.mesh.points, single.mesh.points, atol=1e-5)
+        derivative = deformer.sensitivity()
+        field = np.sin(np.arange(mesh.points.size)).reshape(mesh.points.shape)
+        boundary = np.zeros_like(field)
+        boundary[wall] = field[wall]
+        np.testing.assert_allclose(np.sum(derivative.forward(boundary) * field),
+                                   np.sum(derivative.transpose(field) * boundary), rtol=1e-9)
+
     def test_places_against_deform(self):
         for amount in (0.05, 0.1, 0.15):
             places = bent(self.deformer, amount)
@@ -183,7 +199,7 @@ class Steps(PackageTest):
                            (lambda: winslow.Deformer(self.mesh, []), "found none"),
                            (lambda: winslow.Deformer(self.mesh, "body", tolerence=1), "tolerance"),
                            (lambda: winslow.Deformer(self.mesh, "body", progress=print), "argument of step"),
-                           (lambda: winslow.Deformer(self.mesh, "body", hold_layers="body"), "holds no layers"),
+                           (lambda: winslow.Deformer(self.mesh, "body", hold_layers="boddy"), "did you mean body"),
                            (lambda: d.set_boundary(np.zeros((3, 2))), "shape"),
                            (lambda: d.set_boundary(np.zeros((1, 2)), [99999]), "found 99999"),
                            (lambda: winslow.Deformer(self.mesh).set_boundary(np.zeros((1, 2))), "without ids"),

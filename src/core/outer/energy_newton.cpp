@@ -18,13 +18,14 @@ double dot(std::span<const double> a, std::span<const double> b) {
 }  // namespace
 
 EnergyNewton::EnergyNewton(std::shared_ptr<const EnergyProblem> problem, LinearSolver& linear,
-                           const NewtonOptions& options)
+                           const NewtonOptions& options, std::vector<double> memory)
     : problem_(std::move(problem)),
       linear_(linear),
       options_(options),
       residual_(problem_->unknowns()),
       direction_(problem_->unknowns()),
       tight_(std::min(options.linear_tolerance, 1e-6)) {
+  hessian_.values = std::move(memory);
   linear_.set_tolerance(tight_);
 }
 

@@ -21,9 +21,11 @@ struct NewtonOptions {
 /// or of the residual when round-off hides the decrease of the energy.
 class EnergyNewton final : public SteadySolver {
  public:
-  /// The linear solver outlives this.
+  /// The linear solver outlives this. memory: of an earlier one, see take_memory().
   EnergyNewton(std::shared_ptr<const EnergyProblem> problem, LinearSolver& linear,
-               const NewtonOptions& options);
+               const NewtonOptions& options, std::vector<double> memory = {});
+  /// Memory for the matrix of another one: the system takes long to clear so much of it. Ends this.
+  std::vector<double> take_memory() { return std::move(hessian_.values); }
 
   const SmoothingProblem& problem() const override { return *problem_; }
   /// The same, to keep it.

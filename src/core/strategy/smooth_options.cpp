@@ -263,7 +263,7 @@ OptionTable limits(SmoothOptions& o) {
       {.key = "threads",
        .value = IntegerOption{&o.threads, between(0, 4096)},
        .label = "Threads",
-       .help = "Threads; 0: all cores. The result does not depend on it"},
+       .help = "Threads; 0: all cores, or one under MPI. The result does not depend on it"},
   };
 }
 

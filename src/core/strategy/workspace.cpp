@@ -48,10 +48,11 @@ void SmoothingWorkspace::prepare(const MeshState& state,
                                  const std::shared_ptr<const Coordinates>& reference,
                                  std::shared_ptr<const WallStretch> wall_stretch,
                                  std::shared_ptr<const Coordinates> layer_shapes) {
+  if (const auto* newton = run_.newton.kept()) matrix_memory_ = (*newton)->take_memory();
   run_ = {};
   const auto& topology = classes->shared_topology();
   if (!classes_ || classes_->shared_topology() != topology)
-    made_ = {};  // frees memory: the keys have changed
+    made_ = {}, matrix_memory_ = {};  // the keys have changed
   if (wall_layers_ && wall_layers_->classes().shared_topology() != topology) wall_layers_.reset();
   classes_ = classes;
   if (!same_unknowns(unknowns_, *classes)) unknowns_ = classes;
@@ -333,7 +334,8 @@ EnergyNewton& SmoothingWorkspace::newton() {
   const auto& linear = shared_symmetric_linear();
   return *run_.newton.of({problem, linear}, [&] {
     return std::make_unique<EnergyNewton>(problem, *linear,
-                                          newton_options(options_, cell_dimension()));
+                                          newton_options(options_, cell_dimension()),
+                                          std::exchange(matrix_memory_, {}));
   });
 }
 
@@ -356,6 +358,7 @@ void SmoothingWorkspace::count(MemoryUse& use) const {
   if (const auto* vcvs = made_.computed_vcvs.kept()) use.targets += vcvs->vcvs->bytes();
   if (run_.adjusted.vcvs) use.targets += run_.adjusted.vcvs->bytes();
   if (wall_layers_) use.targets += wall_layers_->bytes();
+  use.matrix += bytes_of(matrix_memory_);
   for (const KeyedSolver* solver : {&made_.linear, &made_.symmetric_linear, &made_.newton_linear})
     if (const auto* linear = solver->kept()) (*linear)->count(use);
 }

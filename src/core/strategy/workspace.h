@@ -311,6 +311,7 @@ class SmoothingWorkspace {
   std::optional<WallLayers> wall_layers_;  // of the last call of walls()
   Run run_;
   Products made_;
+  std::vector<double> matrix_memory_;  // of the last run by Newton's method
 };
 
 }  // namespace winslow

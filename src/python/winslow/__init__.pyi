@@ -424,7 +424,7 @@ class Sensitivity:
             is enough for the eye. Drags and sweeps begin from other meshes and take 1e-10 in volume meshes
             too.
         threads : int, default 0
-            Threads; 0: all cores. The result does not depend on it (0 to 4096).
+            Threads; 0: all cores, or one under MPI. The result does not depend on it (0 to 4096).
         keep_outside_radius : Optional[float]
             Nodes farther than this from the centre stay where they are, units of the mesh (more than 0).
             For a change near a body in a large mesh.
@@ -555,8 +555,8 @@ class Deformer:
         slide_spacing: Literal["auto", "held", "free"] = "auto", hold_spacing: Union[str, Sequence[str]] = (),
         hold_node: Sequence[int] = (), smooth_node: Sequence[int] = (), periodic: Sequence[Tuple[str, str]] = (),
         periodic_from_file: bool = False, interfaces: Literal["auto", "held", "slide", "free"] = "auto",
-        reference: Optional[MeshLike] = None, min_quality: Optional[Dict[str, float]] = None,
-        config: Optional[PathLike] = None
+        reference: Optional[MeshLike] = None, hold_layers: Union[str, Sequence[str]] = (),
+        min_quality: Optional[Dict[str, float]] = None, config: Optional[PathLike] = None
     ) -> None:
         """Prepare a mesh for many motions.
 
@@ -674,7 +674,7 @@ class Deformer:
             is enough for the eye. Drags and sweeps begin from other meshes and take 1e-10 in volume meshes
             too.
         threads : int, default 0
-            Threads; 0: all cores. The result does not depend on it (0 to 4096).
+            Threads; 0: all cores, or one under MPI. The result does not depend on it (0 to 4096).
         keep_outside_radius : Optional[float]
             Nodes farther than this from the centre stay where they are, units of the mesh (more than 0).
             For a change near a body in a large mesh.
@@ -752,6 +752,8 @@ class Deformer:
         reference : Optional[MeshLike], default None
             Mesh of the same connectivity whose element shapes motions keep, in place of `mesh`: the mesh
             before the first of several motions.
+        hold_layers : Union[str, Sequence[str]], default ()
+            Walls whose layers, as the mesh has them, keep their heights.
         min_quality : Optional[Dict[str, float]], default None
             Limits by the names of metrics: the motion ends before any element is worse.
         config : Optional[PathLike], default None
@@ -1013,7 +1015,7 @@ def smooth(
         is enough for the eye. Drags and sweeps begin from other meshes and take 1e-10 in volume meshes
         too.
     threads : int, default 0
-        Threads; 0: all cores. The result does not depend on it (0 to 4096).
+        Threads; 0: all cores, or one under MPI. The result does not depend on it (0 to 4096).
     keep_outside_radius : Optional[float]
         Nodes farther than this from the centre stay where they are, units of the mesh (more than 0).
         For a change near a body in a large mesh.
@@ -1285,7 +1287,7 @@ def move(
         is enough for the eye. Drags and sweeps begin from other meshes and take 1e-10 in volume meshes
         too.
     threads : int, default 0
-        Threads; 0: all cores. The result does not depend on it (0 to 4096).
+        Threads; 0: all cores, or one under MPI. The result does not depend on it (0 to 4096).
     keep_outside_radius : Optional[float]
         Nodes farther than this from the centre stay where they are, units of the mesh (more than 0).
         For a change near a body in a large mesh.
@@ -1540,7 +1542,7 @@ def deform(
         is enough for the eye. Drags and sweeps begin from other meshes and take 1e-10 in volume meshes
         too.
     threads : int, default 0
-        Threads; 0: all cores. The result does not depend on it (0 to 4096).
+        Threads; 0: all cores, or one under MPI. The result does not depend on it (0 to 4096).
     keep_outside_radius : Optional[float]
         Nodes farther than this from the centre stay where they are, units of the mesh (more than 0).
         For a change near a body in a large mesh.
@@ -1832,7 +1834,7 @@ def layers(
         is enough for the eye. Drags and sweeps begin from other meshes and take 1e-10 in volume meshes
         too.
     threads : int, default 0
-        Threads; 0: all cores. The result does not depend on it (0 to 4096).
+        Threads; 0: all cores, or one under MPI. The result does not depend on it (0 to 4096).
     keep_outside_radius : Optional[float]
         Nodes farther than this from the centre stay where they are, units of the mesh (more than 0).
         For a change near a body in a large mesh.
@@ -2149,7 +2151,7 @@ def sweep(
         is enough for the eye. Drags and sweeps begin from other meshes and take 1e-10 in volume meshes
         too.
     threads : int, default 0
-        Threads; 0: all cores. The result does not depend on it (0 to 4096).
+        Threads; 0: all cores, or one under MPI. The result does not depend on it (0 to 4096).
     keep_outside_radius : Optional[float]
         Nodes farther than this from the centre stay where they are, units of the mesh (more than 0).
         For a change near a body in a large mesh.

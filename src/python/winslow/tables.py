@@ -33,7 +33,7 @@ def own_options(function):
     if function == "sweep":
         return MOTION + COMMON[1:2]
     if function == "deformer":
-        return [row for row in MOTION if row[0] in ("reference", "min_quality")] + COMMON[1:2]
+        return [row for row in MOTION if row[0] in ("reference", "min_quality", "hold_layers")] + COMMON[1:2]
     if function == "sensitivity":
         return COMMON[1:]
     return COMMON

@@ -305,7 +305,7 @@ TEST_CASE("derivatives of a session are those of single runs, and change no late
     const MeshState moved = at(deformer, 6).state;
     at(other, 6);
     MoveCommand command{turned(state, 6), {}, {}};
-    command.bodies[0].motion.pivot = Vec3(0.5, 0.5, 0.5);
+    command = std::get<MoveCommand>(with_pivot(command, std::array{&state}));
     const Coordinates velocities =
         parameter_velocities(moved.mesh, command.bodies[0], MotionParameter::rotate);
     const auto kept = deformer.sensitivity();
