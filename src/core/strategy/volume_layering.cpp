@@ -125,8 +125,6 @@ SmoothOptions options_for_opening(const VolumeLayerInsertion& layers, const Smoo
   if (options.outer != OuterMethod::newton)
     throw UsageError("layers of a volume mesh need Newton's method: expected no outer method");
   options.raise_worst = false;  // it would do so at the expense of the heights
-  constexpr double tight_enough = 1e-6;
-  if (!options.tolerance) options.tolerance = tight_enough;
   ColumnFootholds(layers).let_slide(options.slide);
   return options;
 }

@@ -138,8 +138,33 @@ TEST_CASE("Layers around a ball open from first heights of a thousandth to a mil
         measure_layers(*opened.state.layers, opened.state.mesh.coordinates);
     CHECK(measures.first_height.min > 0.99 * first);
     CHECK(measures.first_height.max < 1.01 * first);
-    CHECK(measures.orthogonality.max < 3);
+    CHECK(measures.orthogonality.max <
+          measure_layers(layers.stack, layers.ideal).orthogonality.max + 0.1);
   }
+}
+
+TEST_CASE("Corrections bring the heights nearer to those wanted") {
+  const Mesh mesh = box_with_ball(6, Volumes::tetrahedra);
+  const auto layers = extruded(mesh, {{"cavity"}, growing_heights(6, 0.002, 1.3), {}});
+  LayerRequest request = request_at("cavity");
+  request.smooth.tolerance = 1e-9;
+  request.tolerance = 1;
+  const Opened rough = open(mesh, layers, request);
+  request.tolerance = 1e-9;
+  const Opened fine = open(mesh, layers, request);
+  request.most_corrections = 0;
+  const Opened none = open(mesh, layers, request);
+  const auto error = [](const Opened& opened) {
+    return measure_layers(*opened.state.layers, opened.state.mesh.coordinates).spacing_error.max;
+  };
+  CHECK(error(rough) > 1e-6);
+  CHECK(error(fine) < 0.01 * error(rough));
+  CHECK(fine.result.converged);
+  CHECK(fine.result.linear_solves > rough.result.linear_solves);
+  CHECK(none.state.mesh.coordinates == rough.state.mesh.coordinates);
+  for (const LayerColumn& column : rough.state.layers->columns) CHECK(column.corrections.empty());
+  for (const LayerColumn& column : fine.state.layers->columns)
+    CHECK(column.corrections.size() == column.count());
 }
 
 TEST_CASE("Columns on planes of symmetry and on the edge between them stay there") {
