@@ -75,8 +75,16 @@ inline double total_volume(const Topology& topology, const Coordinates& x) {
 inline MeshData arrays_of(const Mesh& mesh) {
   MeshData data;
   data.coordinates = mesh.coordinates;
-  for (Index e = 0; e < mesh.topology->element_count(); ++e)
-    data.add_element(mesh.topology->element_type(e), mesh.topology->element(e));
+  for (Index e = 0; e < mesh.topology->element_count(); ++e) {
+    const auto corners = mesh.topology->element(e);
+    if (mesh.topology->element_type(e) != ElementType::polyhedron) {
+      data.add_element(mesh.topology->element_type(e), corners);
+      continue;
+    }
+    std::vector<Face> faces;
+    for (const Face& face : mesh.topology->shape(e).faces) faces.push_back(by_nodes(face, corners));
+    data.add_polyhedron(corners, faces);
+  }
   data.markers = mesh.topology->markers().list();
   return data;
 }

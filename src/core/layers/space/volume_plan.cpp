@@ -177,7 +177,15 @@ class RoomOfWalls {
         surface_(surface),
         options_(options),
         mesh_(mesh),
-        x_(mesh.coordinates) {}
+        x_(mesh.coordinates) {
+    const Topology& topology = *mesh.topology;
+    for (Index e = 0; e < topology.element_count(); ++e) {
+      const auto on_wall = [&](Index node) {
+        return topology.on_boundary(node) && surface_.number(node) >= 0;
+      };
+      if (std::ranges::all_of(topology.element(e), on_wall)) elements_on_rim_.push_back(e);
+    }
+  }
 
   /// Limits layers on both sides of a gap to their shares of its width.
   void keep_clear() {
@@ -220,13 +228,17 @@ class RoomOfWalls {
     }
   }
 
-  /// Makes columns thinner between which an element of the layers is inverted. False: there were
+  /// Makes columns thinner between which an element of the layers is inverted, or an element
+  /// outside that has all its nodes on the rim, so that no smoothing can mend it. False: there were
   /// none.
   bool reduce_inverted() {
     std::vector<std::size_t> bad;
     for (const ColumnFace& face : faces_) {
-      if (is_sound(face)) continue;
-      bad.insert(bad.end(), face.corners().begin(), face.corners().end());
+      if (!is_sound(face)) bad.insert(bad.end(), face.corners().begin(), face.corners().end());
+    }
+    for (const Index e : elements_on_rim_) {
+      if (is_sound(e)) continue;
+      for (const Index node : mesh_.topology->element(e)) bad.push_back(at(surface_.number(node)));
     }
     sort_unique(bad);
     constexpr double thinner = 0.8;
@@ -366,12 +378,30 @@ class RoomOfWalls {
     return true;
   }
 
+  /// Whether the corners of an element keep a part of their volume at the rim.
+  bool is_sound(Index e) const {
+    constexpr double least_volume = 0.2;
+    const auto element = mesh_.topology->element(e);
+    const auto volume = [&](const std::array<Index, 4>& t, double share) {
+      std::array<Vec3, 4> p;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Index node = element[at(t[k])];
+        p[k] = x_[node] + share * tip(columns_[at(surface_.number(node))]);
+      }
+      return (p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]);
+    };
+    return std::ranges::all_of(mesh_.topology->shape(e).corner_tetrahedra, [&](const auto& t) {
+      return volume(t, 1) > least_volume * volume(t, 0);
+    });
+  }
+
   std::vector<LayerColumn>& columns_;
   const std::vector<ColumnFace>& faces_;
   const WallSurface& surface_;
   const LayerOptions& options_;
   const Mesh& mesh_;
   const SpacePoints x_;
+  std::vector<Index> elements_on_rim_;  // of which all nodes are on walls
   bool changed_ = false;
 };
 

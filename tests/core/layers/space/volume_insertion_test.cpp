@@ -4,6 +4,7 @@
 
 #include "core/error.h"
 #include "core/layers/space/volume_plan.h"
+#include "core/mesh/surface_faces.h"
 #include "support/walled_meshes.h"
 
 using namespace winslow;
@@ -183,6 +184,80 @@ TEST_CASE("regions and markers inside the mesh go on through the layers") {
       middle += layers.mesh.coordinates.xyz(node).x() / 8;
     CHECK(topology.element_regions()[at(e)] == (middle < 0.5 ? 0 : 1));
   }
+}
+
+TEST_CASE("meshes may be numbered in any order, with elements turned and faces seen from inside") {
+  Random random(3);
+  for (const Volumes volumes : all_volumes) {
+    CAPTURE(name_of(volumes));
+    MeshData data = shuffled_volume(cube(4, volumes), random, true);
+    for (Marker& marker : data.markers) {
+      if (marker.name == "floor")
+        for (Face& face : marker.faces) face = face.reversed();
+    }
+    const Mesh mesh = make_mesh(data);
+    check_insertion(mesh, inserted(mesh, layers_on("floor", {.count = 3, .first = 5e-3})));
+  }
+}
+
+TEST_CASE("sides of layers are turned as the faces of their marker, and cover what these leave") {
+  const Mesh mesh = half_ball_on_floor(6, Volumes::mixed);
+  const auto layers = inserted(mesh, layers_on("body", {.count = 4, .first = 4e-3, .ratio = 1.4}));
+  const auto area = [](const Mesh& of, const Coordinates& x, const std::string& name) {
+    const SpacePoints points(x);
+    Vec3 sum(0, 0, 0);
+    double size = 0;
+    const Markers& markers = of.topology->markers();
+    for (const Face& face : markers[at(*markers.find(name))].faces) {
+      sum += area_vector(points, face);
+      size += area_vector(points, face).norm();
+    }
+    CHECK(sum.norm() == doctest::Approx(size));  // none is turned the other way
+    return sum;
+  };
+  const Vec3 before = area(mesh, mesh.coordinates, "floor");
+  CHECK((area(layers.mesh, layers.mesh.coordinates, "floor") - before).norm() < 1e-12);
+}
+
+TEST_CASE("polyhedra away from the wall stay as they are") {
+  const MeshData cubes = cube(4, Volumes::hexahedra);
+  MeshData data;
+  data.coordinates = cubes.coordinates;
+  data.markers = cubes.markers;
+  for (Index e = 0; e < cubes.element_count(); ++e) {
+    if (cubes.coordinates.xyz(cubes.element(e)[0]).z() < 0.4)
+      data.add_element(ElementType::hexahedron, cubes.element(e));
+    else
+      data.add_polyhedron(cubes.element(e), faces_of(cubes, e));
+  }
+  const Mesh mesh = make_mesh(data);
+  check_insertion(mesh, inserted(mesh, layers_on("floor", {.count = 3, .first = 5e-3})));
+}
+
+TEST_CASE("beside a curved boundary the layers divide its edges") {
+  MeshData data = cube(6, Volumes::hexahedra);
+  for (Index node = 0; node < data.node_count(); ++node) {
+    Vec3 p = data.coordinates.xyz(node);
+    p.x() = 0.5 + (p.x() - 0.5) * (1 + 0.4 * p.z() * p.z() + 0.3 * p.y() * (1 - p.y()));
+    data.coordinates.set_xyz(node, p);
+  }
+  const Mesh mesh = make_mesh(data);
+  const auto layers = inserted(mesh, layers_on("floor", {.count = 5, .first = 0.01, .ratio = 1.6}));
+  check_insertion(mesh, layers);
+  int ends = 0;
+  for (const LayerColumn& column : layers.stack.columns) {
+    if (column.limit != LayerLimit::end) continue;
+    ++ends;
+    const double length = column.thickness() * column.slant;
+    bool found = false;
+    for (const Index other : mesh.topology->neighbours(column.wall_node)) {
+      const Vec3 edge = mesh.coordinates.xyz(other) - mesh.coordinates.xyz(column.wall_node);
+      found |= (edge - edge.norm() * column.direction).norm() < 1e-12 &&
+               length <= 0.6 * edge.norm() * (1 + 1e-9);
+    }
+    CHECK(found);
+  }
+  CHECK(ends > 0);
 }
 
 TEST_CASE("what layers cannot be inserted into is refused") {
