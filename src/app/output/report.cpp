@@ -324,9 +324,9 @@ json describe_layers(const LayerStack& stack, const Coordinates& x) {
           {{"node", column.wall_node}, {"rows", column.count()}, {"end", end_name(column.end)}});
     }
     if (!cut_short(column)) continue;
-    const Vec2 p = x.xy(column.wall_node);
+    const Vec3 p = place_of(x, column.wall_node);
     cut.push_back({{"node", column.wall_node},
-                   {"at", {p.x(), p.y()}},
+                   {"at", std::vector<double>(p.data(), p.data() + x.dimension())},
                    {"reason", limit_name(column.limit)},
                    {"layers", column.count()},
                    {"thickness", column.thickness()},

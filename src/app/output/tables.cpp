@@ -377,8 +377,9 @@ void print_layers(std::ostream& out, const LayerStack& stack, const Coordinates&
     const std::string left = column.count() == 0
                                  ? std::string("no layers")
                                  : formatted("%.3g %% of the thickness", 100 * share(column));
-    out << "  node " << column.wall_node << " at " << place_text(x.xy(column.wall_node)) << ": "
-        << left << " (" << limit_name(column.limit) << ")\n";
+    out << "  node " << column.wall_node << " at "
+        << place_text(place_of(x, column.wall_node), x.dimension()) << ": " << left << " ("
+        << limit_name(column.limit) << ")\n";
   }
   if (cut.size() > shown) out << "  and " << cut.size() - shown << " more\n";
 }

@@ -13,6 +13,7 @@
 #include "core/strategy/smooth_run.h"
 #include "core/strategy/surface_first.h"
 #include "core/strategy/surface_shape.h"
+#include "core/strategy/volume_layering.h"
 #include "core/vcv/sphere/node_vcv.h"
 
 namespace winslow {
@@ -347,8 +348,12 @@ CommandResult execute_one(const LayersCommand& command, const MeshState& state,
   validate(command.smooth);
   CommandResult result{state, {}};
   if (state.mesh.topology->kind() == MeshKind::volume) {
-    if (command.task != LayerTask::hold)
-      require_plane(*state.mesh.topology, "layers that are inserted or spaced anew");
+    if (command.task == LayerTask::insert) {
+      result.smooth = insert_layers_in_space(command, result.state, options);
+      return result;
+    }
+    if (command.task == LayerTask::respace)
+      require_plane(*state.mesh.topology, "layers that are spaced anew");
     hold_walls(command.layers.walls, result.state);
     result.smooth.converged = true;
     result.smooth.inverted =

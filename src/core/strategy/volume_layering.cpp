@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/formulation/target_metric.h"
 #include "core/formulation/wall_stretch.h"
+#include "core/layers/space/volume_plan.h"
 #include "core/layers/volume_measures.h"
 #include "core/quality/quality.h"
 #include "core/quality/volume_element.h"
@@ -284,6 +285,15 @@ SmoothResult open_volume_layers(const VolumeLayerInsertion& layers, const LayerR
   if (request.control) hold_heights(request.layers.walls, open);
   state = std::move(open);
   return opening.result();
+}
+
+SmoothResult insert_layers_in_space(const LayerRequest& request, MeshState& state,
+                                    const RunOptions& run) {
+  if (check_validity(*state.mesh.topology, state.mesh.coordinates).inverted > 0)
+    throw UsageError("the mesh has inverted elements; smooth it before layers are inserted");
+  LayerStack plan = plan_volume_layers(state.mesh, options_of(request));
+  require_layers_inside(request.smooth.keep_outside, plan, state.mesh, request.layers.walls);
+  return open_volume_layers(insert_volume_layers(state.mesh, std::move(plan)), request, state, run);
 }
 
 }  // namespace winslow

@@ -38,4 +38,10 @@ namespace winslow {
 SmoothResult open_volume_layers(const VolumeLayerInsertion& layers, const LayerRequest& request,
                                 MeshState& state, const RunOptions& run);
 
+/// Inserts layers in a volume mesh, as run_layers() does in the plane: plans the layers of the
+/// request, inserts their elements, and opens them. state as above. Throws UsageError for a mesh
+/// with inverted elements, and what the three throw.
+SmoothResult insert_layers_in_space(const LayerRequest& request, MeshState& state,
+                                    const RunOptions& run);
+
 }  // namespace winslow

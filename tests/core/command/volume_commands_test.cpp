@@ -27,6 +27,7 @@
 #include "support/formulations.h"
 #include "support/meshes.h"
 #include "support/space_meshes.h"
+#include "support/volume_layers.h"
 
 using namespace winslow;
 using namespace winslow::test;
@@ -395,17 +396,46 @@ TEST_CASE("commands that cannot serve surface meshes are refused by their names"
   }
 }
 
-TEST_CASE("in a volume mesh layers can only be held") {
+TEST_CASE("layers of a volume mesh are inserted, and motions keep their heights") {
+  const MeshState state = make_state(box_with_ball(6, Volumes::tetrahedra));
+  const Coordinates before = state.mesh.coordinates;
+  LayersCommand layers;
+  layers.layers.walls = {{{"cavity"}, {.count = 5, .first = 0.003, .ratio = 1.2}}};
+  const CommandResult inserted = execute(layers, state);
+  CHECK(inserted.smooth.converged);
+  CHECK(inserted.smooth.inverted == 0);
+  const auto check_heights = [](const MeshState& of, double most) {
+    REQUIRE(of.layers);
+    const LayerMeasures measures = measure_layers(*of.layers, of.mesh.coordinates);
+    CHECK(measures.first_error.max < most);
+    CHECK(measures.spacing_error.max < 2 * most);
+    CHECK(measures.columns.size() > 50);
+  };
+  check_heights(inserted.state, 0.01);
+  const auto& topology = *inserted.state.mesh.topology;
+  const auto of_type = [&](ElementType type) {
+    Index count = 0;
+    for (Index e = 0; e < topology.element_count(); ++e) count += topology.element_type(e) == type;
+    return count;
+  };
+  CHECK(of_type(ElementType::prism) == 5 * static_cast<Index>(inserted.state.layers->faces.size()));
+  CHECK(of_type(ElementType::tetrahedron) == state.mesh.topology->element_count());
+  for (const Index node : topology.markers().nodes_of(layers.layers.walls[0].markers))
+    CHECK(inserted.state.mesh.coordinates.xyz(node) == before.xyz(node));
+  MoveCommand turn{{{{"cavity"}, {.rotate = 30, .axis = Vec3(0, 0, 1)}}}, {}, {}};
+  const CommandResult turned = execute(turn, inserted.state);
+  CHECK(turned.smooth.fraction_reached == 1);
+  check_heights(turned.state, 0.01);
+}
+
+TEST_CASE("in a volume mesh layers are not spaced anew") {
   const MeshState state = make_state(make_mesh(cube(2, Volumes::hexahedra)));
   LayersCommand layers;
   layers.layers.walls = {{{"floor"}, {}}};
-  for (const LayerTask task : {LayerTask::insert, LayerTask::respace}) {
-    layers.task = task;
-    CHECK_THROWS_WITH_AS(execute(layers, state),
-                         "layers that are inserted or spaced anew: only for a plane mesh, and this "
-                         "is a volume mesh",
-                         UsageError);
-  }
+  layers.task = LayerTask::respace;
+  CHECK_THROWS_WITH_AS(
+      execute(layers, state),
+      "layers that are spaced anew: only for a plane mesh, and this is a volume mesh", UsageError);
   layers.task = LayerTask::hold;
   CHECK_THROWS_WITH_AS(
       execute(layers, state),
