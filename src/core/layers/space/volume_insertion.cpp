@@ -25,13 +25,13 @@ class VolumeInserter {
     result.mesh.topology = Topology::build(data_);
     result.ideal = std::move(data_.coordinates);
     lay_out(stack_, 1, result.ideal);
-    result.share = collapse(*result.mesh.topology, result.ideal, result.mesh.coordinates);
+    result.share = collapse(result, result.mesh.coordinates);
     result.stack = std::move(stack_);
     return result;
   }
 
  private:
-  void require_valid() const {
+  void require_valid() {
     for (const ColumnFace& face : stack_.faces) {
       for (const std::size_t c : face.corners()) {
         if (stack_.columns[c].count() == stack_.columns[face.columns[0]].count()) continue;
@@ -40,9 +40,9 @@ class VolumeInserter {
                          " has another number of layers than its neighbours");
       }
     }
-    const Validity validity = check_validity(topology_, old_.coordinates);
-    if (validity.inverted == 0) return;
-    throw UsageError(std::to_string(validity.inverted) +
+    before_ = check_validity(topology_, old_.coordinates);
+    if (before_.inverted == 0) return;
+    throw UsageError(std::to_string(before_.inverted) +
                      " elements of the mesh are inverted; layers need a valid mesh: smooth it "
                      "first");
   }
@@ -177,13 +177,16 @@ class VolumeInserter {
     }
   }
 
-  /// Sets x to the columns at the largest share at which no element is inverted; returns it.
-  double collapse(const Topology& topology, const Coordinates& ideal, Coordinates& x) const {
+  /// Sets x to the columns at the largest share that VolumeLayerInsertion allows; returns it.
+  double collapse(const VolumeLayerInsertion& result, Coordinates& x) const {
     constexpr int most_halvings = 40;
+    constexpr double kept = 0.5;
+    const Topology& topology = *result.mesh.topology;
     double share = 1;
-    x = ideal;
+    x = result.ideal;
     for (int halving = 0; halving < most_halvings; ++halving, share *= 0.5) {
       lay_out(stack_, share, x);
+      if (check_validity(*result.outside, x).min_sine < kept * before_.min_sine) continue;
       if (check_validity(topology, x).inverted == 0) return share;
     }
     Index e = 0;
@@ -198,6 +201,7 @@ class VolumeInserter {
   const Mesh& old_;
   const Topology& topology_;
   LayerStack stack_;
+  Validity before_;
   MeshData data_;
   std::vector<Index> column_of_;             // #nodes of the mesh before; -1: on no wall
   std::vector<unsigned char> is_wall_;       // #faces of the topology

@@ -30,7 +30,8 @@ struct VolumeLayerInsertion {
   /// those of walls are on the rim. Faces of markers inside the mesh that touch a wall are left
   /// out, since their nodes have to move.
   std::shared_ptr<const Topology> outside;
-  /// The largest of 1, 1/2, 1/4, ... at which no element is inverted.
+  /// The largest of 1, 1/2, 1/4, ... at which no element is inverted and the elements outside have
+  /// at least half of the smallest scaled Jacobian (Validity::min_sine) that they had.
   double share = 1;
 };
 

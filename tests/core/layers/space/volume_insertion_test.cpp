@@ -22,6 +22,8 @@ void check_insertion(const Mesh& before, const VolumeLayerInsertion& layers) {
   const Topology& topology = *layers.mesh.topology;
   const Coordinates& x = layers.mesh.coordinates;
   CHECK(check_validity(topology, x).inverted == 0);
+  CHECK(check_validity(*layers.outside, x).min_sine >=
+        0.5 * check_validity(*before.topology, before.coordinates).min_sine);
   CHECK(total_volume(topology, x) ==
         doctest::Approx(total_volume(*before.topology, before.coordinates)).epsilon(1e-12));
   CHECK(topology.reversed_elements() == 0);
