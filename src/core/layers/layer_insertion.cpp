@@ -67,7 +67,8 @@ class Inserter {
     }
     for (auto& [node, fan] : fans_) {
       for (std::size_t c = fan.first; c < fan.last; ++c) {
-        const Vec2 between = stack_.columns[c].plane_direction() + stack_.columns[c + 1].plane_direction();
+        const Vec2 between =
+            stack_.columns[c].plane_direction() + stack_.columns[c + 1].plane_direction();
         fan.spokes.push_back(spoke_towards(node, between));
       }
     }

@@ -228,7 +228,7 @@ class RoomOfWalls {
     }
   }
 
-  /// Makes columns thinner between which an element of the layers is inverted, or an element
+  /// Makes columns thinner between which an element of the layers is nearly inverted, or an element
   /// outside that has all its nodes on the rim, so that no smoothing can mend it. False: there were
   /// none.
   bool reduce_inverted() {
@@ -351,15 +351,21 @@ class RoomOfWalls {
     }
   }
 
-  /// Whether no element of the layers on a face is inverted along straight columns.
+  /// Whether the corners of the layers on a face, along straight columns, have a part of the volume
+  /// that they would have in right prisms on the wall.
   bool is_sound(const ColumnFace& face) const {
+    constexpr double least_volume = 0.2;
     const auto corners = face.corners();
     const ElementShape& shape =
         shape_of(corners.size() == 3 ? ElementType::prism : ElementType::hexahedron);
     const std::size_t n = corners.size();
     std::array<Vec3, 8> points;
-    std::array<double, 4> heights{};
+    std::array<double, 4> heights{}, areas{};
     for (std::size_t k = 0; k < n; ++k) points[n + k] = x_[columns_[corners[k]].wall_node];
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec3& p = points[n + k];
+      areas[k] = (points[n + (k + 1) % n] - p).cross(points[n + (k + n - 1) % n] - p).norm();
+    }
     for (std::size_t layer = 0; layer < columns_[corners[0]].count(); ++layer) {
       for (std::size_t k = 0; k < n; ++k) {
         const LayerColumn& c = columns_[corners[k]];
@@ -367,12 +373,16 @@ class RoomOfWalls {
         heights[k] += c.heights[layer];
         points[n + k] = x_[c.wall_node] + heights[k] * c.slant * c.direction;
       }
-      const auto positive = [&](const std::array<Index, 4>& t) {
+      const auto volume = [&](const std::array<Index, 4>& t) {
         const Vec3& o = points[at(t[0])];
-        return (points[at(t[1])] - o).cross(points[at(t[2])] - o).dot(points[at(t[3])] - o) > 0;
+        return (points[at(t[1])] - o).cross(points[at(t[2])] - o).dot(points[at(t[3])] - o);
       };
-      if (!std::ranges::all_of(shape.corner_tetrahedra, positive) ||
-          !std::ranges::all_of(shape.edge_tetrahedra, positive))
+      const auto large = [&](const std::array<Index, 4>& t) {
+        const std::size_t k = at(t[0]) % n;
+        return volume(t) > least_volume * areas[k] * columns_[corners[k]].heights[layer];
+      };
+      if (!std::ranges::all_of(shape.corner_tetrahedra, large) ||
+          !std::ranges::all_of(shape.edge_tetrahedra, [&](const auto& t) { return volume(t) > 0; }))
         return false;
     }
     return true;

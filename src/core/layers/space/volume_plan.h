@@ -21,8 +21,9 @@ namespace winslow {
 /// - each edge of a wall keeps .65 of its length at the rim, along the edge (more by `crossing`);
 /// - thickness changes along the wall by `steepest` at most;
 /// - a column along an edge of a curved boundary takes .6 of that edge.
-/// Layers whose elements are inverted along straight columns become thinner, too, and those around
-/// an element outside with all its nodes on the rim that would lose more than .8 of its volume.
+/// Layers become thinner, too, where along straight columns a corner of an element has less than .2
+/// of its volume in a right prism, and around an element outside with all its nodes on the rim that
+/// would lose more than .8 of its volume.
 /// Fans are not planned: see column_directions() for ridges that are too sharp for one column.
 ///
 /// Throws UsageError for options out of range, all that find_wall_surface() and

@@ -70,26 +70,6 @@ std::string refusal(const Mesh& mesh, const std::string& marker) {
   return "";
 }
 
-/// A box over a floor with a square pyramid of the given height, as wide as half the floor. Markers
-/// body, far.
-Mesh box_with_spike(double height) {
-  MeshData data = cube(8, Volumes::tetrahedra);
-  data.markers.clear();
-  for (Index node = 0; node < data.node_count(); ++node) {
-    Vec3 p = data.coordinates.xyz(node);
-    const double tent =
-        height * std::max(0.0, 1 - 4 * std::max(std::abs(p.x() - 0.5), std::abs(p.y() - 0.5)));
-    p.z() = tent + p.z() * (8 - tent);
-    data.coordinates.set_xyz(node, p);
-  }
-  mark_volume(data, [](const Vec3& p) {
-    const bool far =
-        p.x() < 1e-9 || p.y() < 1e-9 || p.z() > 8 - 1e-9 || p.x() > 1 - 1e-9 || p.y() > 1 - 1e-9;
-    return far ? "far" : "body";
-  });
-  return make_mesh(data);
-}
-
 }  // namespace
 
 TEST_CASE("the narrowest cone around normals is that of a search over the sphere") {

@@ -53,6 +53,34 @@ RimShares rim_shares(const Mesh& mesh, const LayerStack& stack) {
   return least;
 }
 
+/// Smallest volume at a corner of a layer's element, as a share of that in a right prism.
+double least_corner(const Mesh& mesh, const LayerStack& stack) {
+  double least = 10;
+  for (const ColumnFace& face : stack.faces) {
+    const std::size_t n = face.corners().size();
+    const auto point = [&](std::size_t k, std::size_t level) {
+      const LayerColumn& c = stack.columns[face.columns[k % n]];
+      const double height = sum_of(std::span(c.heights).first(level));
+      return Vec3(mesh.coordinates.xyz(c.wall_node) + height * c.slant * c.direction);
+    };
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::vector<double>& heights = stack.columns[face.columns[k]].heights;
+      const auto edge = [&](std::size_t other, std::size_t level) {
+        return Vec3(point(other, level) - point(k, level));
+      };
+      const double area = edge(k + 1, 0).cross(edge(k + n - 1, 0)).norm();
+      for (std::size_t layer = 0; layer < heights.size(); ++layer) {
+        const Vec3 up = point(k, layer + 1) - point(k, layer);
+        for (const std::size_t level : {layer, layer + 1}) {
+          const double volume = edge(k + 1, level).cross(edge(k + n - 1, level)).dot(up);
+          least = std::min(least, volume / (area * heights[layer]));
+        }
+      }
+    }
+  }
+  return least;
+}
+
 double steepest(const Mesh& mesh, const LayerStack& stack) {
   double most = 0;
   for (const ColumnFace& face : stack.faces) {
@@ -140,6 +168,29 @@ TEST_CASE("in concave corners faces and edges keep their share at the rim") {
     }
     CHECK(thinnest < 0.7 * thickest);
     CHECK(shares.length < 0.66);  // and no more than that is given up
+  }
+}
+
+TEST_CASE("corners of layers keep a part of their volume where thin faces meet sharp ridges") {
+  Random random(17);
+  for (int trial = 0; trial < 6; ++trial) {
+    CAPTURE(trial);
+    Mesh mesh = box_with_spike(0.34);
+    for (Index node = 0; node < mesh.coordinates.size(); ++node) {
+      Vec3 p = mesh.coordinates.xyz(node);
+      if (mesh.topology->on_boundary(node) && std::abs(p.x() - 0.5) < 0.3 &&
+          std::abs(p.y() - 0.5) < 0.3 && p.z() < 0.4)
+        mesh.coordinates.set_xyz(node, p + 0.02 * random_vector(random));
+    }
+    LayerStack stack;
+    try {
+      stack = plan_volume_layers(
+          mesh, layers_on("body", {.count = 6, .first = 2e-3, .ratio = 1.9, .growth = 1}));
+    } catch (const UsageError& error) {
+      CHECK(std::string(error.what()).find("turns too sharply") != std::string::npos);
+      continue;
+    }
+    CHECK(least_corner(mesh, stack) >= 0.2 - 1e-9);
   }
 }
 

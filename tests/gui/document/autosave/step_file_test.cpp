@@ -52,8 +52,12 @@ std::vector<Damage> damages() {
       [](LayerStack& s) { s.columns[1].wall_node = -1; },
       [](LayerStack& s) { s.columns[1].wall = -1; },
       [](LayerStack& s) { s.columns[1].direction.x() = nan; },
-      [](LayerStack& s) { s.faces = {{{0, 1, 2}, 5}}; },
-      [](LayerStack& s) { s.faces = {{{0, 1, 1 << 30}, 3}}; },
+      [](LayerStack& s) {
+        s.faces = {{{0, 1, 2}, 5}};
+      },
+      [](LayerStack& s) {
+        s.faces = {{{0, 1, 1 << 30}, 3}};
+      },
       [](LayerStack& s) { s.columns[1].slant = 0; },
       [](LayerStack& s) { s.columns[1].asked = nan; },
       [](LayerStack& s) { s.columns[1].limit = static_cast<LayerLimit>(99); },
