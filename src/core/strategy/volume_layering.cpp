@@ -87,7 +87,8 @@ class ColumnFootholds {
       };
       if (!is(slide.markers) && !is(slide.periodic)) slide.markers.push_back(marker);
     }
-    slide.features = slide.features || at_edges_;
+    // Some columns stand on the edges of these markers.
+    slide.features = slide.features || !markers_.empty();
     slide.surface_first = false;
   }
 
@@ -95,24 +96,22 @@ class ColumnFootholds {
   void add(Index node) {
     const Markers& markers = topology_.markers();
     Index place = 0;
-    int found = 0;
+    bool found = false;
     for (const Marker& marker : markers) {
       if (!std::ranges::binary_search(markers.nodes(place++), node)) continue;
-      ++found;
+      found = true;
       if (std::ranges::find(markers_, marker.name) == markers_.end())
         markers_.push_back(marker.name);
     }
-    if (found == 0)
+    if (!found)
       throw UsageError("layers stand on a part of the boundary without a marker (" +
                        place_text(node, x_.xyz(node)) +
                        "): expected markers, which say along what the layers may slide");
-    at_edges_ = at_edges_ || found > 1;
   }
 
   const Topology& topology_;
   const Coordinates& x_;
   std::vector<std::string> markers_;
-  bool at_edges_ = false;  // of two markers
 };
 
 /// The options of all runs.
@@ -126,6 +125,9 @@ SmoothOptions options_for_opening(const VolumeLayerInsertion& layers, const Smoo
   if (options.outer != OuterMethod::newton)
     throw UsageError("layers of a volume mesh need Newton's method: expected no outer method");
   options.raise_worst = false;  // it would do so at the expense of the heights
+  // At the default of volume meshes, all heights may still be off by some thousandths.
+  constexpr double tight = 1e-6;
+  if (!options.tolerance) options.tolerance = tight;
   ColumnFootholds(layers).let_slide(options.slide);
   return options;
 }

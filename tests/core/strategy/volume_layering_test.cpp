@@ -192,6 +192,24 @@ TEST_CASE("Columns on planes of symmetry and on the edge between them stay there
   CHECK(on_both == 12);  // two columns of six layers
 }
 
+TEST_CASE("Columns on the edges of one marker slide along them") {
+  const Mesh mesh = make_mesh(cube(4, Volumes::tetrahedra));
+  const auto layers = extruded(mesh, {{"floor"}, growing_heights(6, 0.002, 1.3), {"walls"}});
+  const Opened opened = open(mesh, layers, request_at("floor"));
+  check_opened(mesh, layers, opened);
+  std::size_t at_edges = 0;
+  for (const LayerColumn& column : opened.state.layers->columns)
+    for (const Index node : column.nodes) {
+      const Vec3 p = opened.state.mesh.coordinates.xyz(node);
+      const Vec3 foot = mesh.coordinates.xyz(column.wall_node);
+      const auto side = [&](int axis) { return foot[axis] < 1e-9 || foot[axis] > 1 - 1e-9; };
+      for (const int axis : {0, 1})
+        if (side(axis)) CHECK(std::abs(p[axis] - foot[axis]) < 1e-12);
+      at_edges += side(0) && side(1) ? 1 : 0;
+    }
+  CHECK(at_edges == 28);  // four columns of seven nodes
+}
+
 TEST_CASE("Opened layers are held by motions that follow") {
   const Mesh mesh = box_with_ball(6, Volumes::tetrahedra);
   const auto layers = extruded(mesh, {{"cavity"}, growing_heights(6, 0.002, 1.3), {}});
