@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes the pictures of volume meshes in README.md and three-dimensions.md: make_volume_pictures.py WINSLOW
+"""Makes the pictures of volume meshes in README.md and the pages beside this: make_volume_pictures.py WINSLOW
 
 Meshes are bundled or come from Gmsh, on the spot. Needs no display.
 """
@@ -76,6 +76,13 @@ BUNDLED = [
      ["--up", "y", "--cut", 0, 0, 0.5, 0, 0, 1, "--azimuth", 35, "--elevation", 20,
       "--centre", 0.55, 0, 0.35, "--half-width", 0.75], False),
 ]
+# Layers of bundled meshes, for layers-in-space.md: name of the picture, marker, options of layers and of render.
+LAYERED = [
+    ("layers_sphere", "sphere", ["--count", 12, "--first", 0.005, "--ratio", 1.2, "--growth", 1],
+     ["--crinkle", "--cut", 0, 0, 0, 0, 1, 0, "--centre", 0, 0, 0, "--half-width", 2.2]),
+    ("layers_cube", "cube", ["--count", 10, "--first", 0.01, "--ratio", 1.2],
+     ["--cut", 0, 0, 0, 0, 1, 0, "--centre", 0, 0, 0, "--half-width", 1.6]),
+]
 INVERTED = 4  # exit status
 
 
@@ -97,6 +104,13 @@ def draw_bundled(winslow, folder):
             "--quiet")
 
 
+def draw_layers(winslow, folder):
+    mesh = folder / "layers.su2"
+    for name, marker, how, options in LAYERED:
+        run(winslow, "layers", ASSETS / f"{marker}.su2.gz", "-o", mesh, "--marker", marker, *how, "--quiet")
+        run(winslow, "render", mesh, "-o", PICTURES / f"{name}.png", "--size", 520, 390, *options, "--quiet")
+
+
 def draw_stencils(winslow):
     """The links of the paper's figure 24."""
     links = ",".join(f"link{n}" for n in (4, 6, 8, 10, 22, 40, 80))
@@ -110,6 +124,7 @@ def main():
     PICTURES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         draw_bundled(winslow, Path(folder))
+        draw_layers(winslow, Path(folder))
         draw_stencils(winslow)
         for name, geometry, motion, options in FIGURES:
             source, mesh = Path(folder) / "mesh.geo", Path(folder) / "mesh.su2"
