@@ -212,5 +212,66 @@ class Layers(ProgramTest):
         self.assertIn("counts", done.stderr)
 
 
+class Space(ProgramTest):
+    """Prisms around the bundled sphere, of 820 triangles."""
+    COUNT, FIRST, RATIO = 6, 0.004, 1.3
+    COARSE = support.ASSETS / "coarse"
+
+    def insert(self, *more, **how):
+        return self.winslow("layers", self.COARSE / "sphere.su2.gz", "-o", "out.su2", "--marker", "sphere", "--count",
+                            self.COUNT, "--first", self.FIRST, "--ratio", self.RATIO, "--growth", 1,
+                            "--report", "report.json", *more, **how)
+
+    def test_heights_are_what_was_asked(self):
+        out = self.insert().stdout
+        self.assertIn("columns of layers, none cut short\n", out)
+        lines = iter(self.path("out.su2").read_text().splitlines())
+        prisms, points, wall = [], [], []
+        for line in lines:
+            key, _, value = (part.strip() for part in line.partition("="))
+            if key == "NELEM":
+                rows = [list(map(int, next(lines).split())) for _ in range(int(value))]
+                prisms = [row[1:7] for row in rows if row[0] == 13]
+            elif key == "NPOIN":
+                points = [tuple(map(float, next(lines).split()[:3])) for _ in range(int(value.split()[0]))]
+            elif key == "MARKER_TAG" and value == "sphere":
+                wall = [list(map(int, next(lines).split()))[1:4] for _ in range(int(next(lines).partition("=")[2]))]
+        self.assertEqual(len(wall), 820)
+        self.assertEqual(len(prisms), 820 * self.COUNT)
+        faces = {tuple(sorted(face)) for face in wall}
+        checked = 0
+        for prism in prisms:
+            for low, high in ((prism[:3], prism[3:]), (prism[3:], prism[:3])):
+                if tuple(sorted(low)) not in faces:
+                    continue
+                a, b, c = (points[n] for n in low)
+                u, v = [q - p for p, q in zip(a, b)], [q - p for p, q in zip(a, c)]
+                normal = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+                length = math.hypot(*normal)
+                for at, to in zip(low, high):
+                    height = abs(sum(n * (q - p) for n, p, q in zip(normal, points[at], points[to]))) / length
+                    self.assertAlmostEqual(height, self.FIRST, delta=0.02 * self.FIRST)
+                    checked += 1
+        self.assertEqual(checked, 3 * 820)
+        report = self.json("report.json")["layers"]
+        self.assertEqual(report["first_height_within"]["0.01"], 1)
+        self.assertLess(report["spacing_error"]["max"], 0.01)
+
+    def test_they_move_with_their_wall(self):
+        self.insert()
+        out = self.winslow("move", "out.su2", "-o", "moved.su2", "--marker", "sphere", "--rotate", 40,
+                           "--axis", 0, 0, 1).stdout
+        self.assertIn("first height changed by more than 5 % at 0 % of them", out)
+
+    def test_walls_without_room_for_columns_are_refused_with_the_place(self):
+        options = self.COARSE / "wing.su2.gz", "-o", "out.su2", "--count", 5, "--first", 1e-3
+        for marker, words in (("flap", "the wall turns too sharply at node "), ("flp", "did you mean flap")):
+            done = self.winslow("layers", *options, "--marker", marker, code=USAGE)
+            self.assertIn(words, done.stderr)
+            self.assertFalse(self.path("out.su2").exists())
+        done = self.insert("--respace", code=USAGE)
+        self.assertIn("layers that are spaced anew: only for a plane mesh", done.stderr)
+
+
 if __name__ == "__main__":
     support.main()
