@@ -5,6 +5,7 @@
 
 #include "core/command/local_command.h"
 #include "core/error.h"
+#include "core/layers/volume_measures.h"
 #include "core/linear/krylov.h"
 #include "core/motion/rigid_motion.h"
 #include "core/quality/quality.h"
@@ -221,6 +222,15 @@ void require_sound(const MotionOptions& how, const SmoothOptions& smooth) {
         "of what comes after it: expected one of the two");
 }
 
+/// The result of a motion of a volume mesh, with the columns of its layers turned with their walls.
+CommandResult with_carried_layers(const MeshState& before, CommandResult result) {
+  MeshState& state = result.state;
+  if (state.layers && state.mesh.topology->kind() == MeshKind::volume)
+    state.layers = std::make_shared<const LayerStack>(
+        carried_by_walls(*state.layers, before.mesh.coordinates, state.mesh.coordinates));
+  return result;
+}
+
 CommandResult run_motion(const MeshState& state, const Motion& motion, const BodyNodes& bodies,
                          const MotionOptions& how, const SmoothOptions& smooth,
                          const RunOptions& options) {
@@ -233,11 +243,11 @@ CommandResult run_motion(const MeshState& state, const Motion& motion, const Bod
     const bool plane = state.mesh.topology->kind() != MeshKind::volume;
     result.smooth =
         (plane ? move_with_layers : move_with_held_walls)(result.state, motion, how, smooth, run);
-    return result;
+    return plane ? result : with_carried_layers(state, std::move(result));
   }
   Coordinates x = starting_point(state, options);
   SmoothResult result = smooth_motion(state, motion, how, smooth, x, run);
-  return finish(state, std::move(x), std::move(result));
+  return with_carried_layers(state, finish(state, std::move(x), std::move(result)));
 }
 
 CommandResult execute_one(const SmoothCommand& command, const MeshState& given,

@@ -1,5 +1,7 @@
 #include "core/layers/volume_measures.h"
 
+#include <map>
+
 namespace winslow {
 
 namespace {
@@ -27,6 +29,38 @@ std::vector<Vec3> normals_of(const LayerStack& stack, std::vector<Vec3> sums) {
   for (std::size_t c = 0; c < sums.size(); ++c)
     sums[c] = sums[c].squaredNorm() > 0 ? sums[c].normalized() : stack.columns[c].direction;
   return sums;
+}
+
+/// How the wall lies at one of its nodes.
+struct WallFrame {
+  Vec3 normals{0, 0, 0};  // sum of the faces' area vectors
+  Vec3 edge{0, 0, 0};     // to another node of the first face
+
+  Eigen::Matrix3d axes() const {
+    const Vec3 normal = normals.normalized();
+    const Vec3 along = (edge - normal.dot(edge) * normal).normalized();
+    Eigen::Matrix3d axes;
+    axes << normal, along, normal.cross(along);
+    return axes;
+  }
+};
+
+/// By wall node.
+std::map<Index, WallFrame> frames_of(const LayerStack& stack, const Coordinates& x) {
+  std::map<Index, WallFrame> frames;
+  for (const ColumnFace& face : stack.faces) {
+    std::vector<Index> nodes;
+    for (const std::size_t c : face.corners()) nodes.push_back(stack.columns[c].wall_node);
+    Vec3 area(0, 0, 0);
+    for (std::size_t k = 2; k < nodes.size(); ++k)
+      area += (x.xyz(nodes[k - 1]) - x.xyz(nodes[0])).cross(x.xyz(nodes[k]) - x.xyz(nodes[0]));
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      WallFrame& frame = frames[nodes[k]];
+      if (frame.edge.isZero(0)) frame.edge = x.xyz(nodes[(k + 1) % nodes.size()]) - x.xyz(nodes[k]);
+      frame.normals += area;
+    }
+  }
+  return frames;
 }
 
 /// normal: zero inside a fan.
@@ -73,6 +107,17 @@ LayerMeasures measure_volume_layers(const LayerStack& stack, const Coordinates& 
     columns.back().tilt = tilt_of(stack.columns[c], sums[c], x);
   }
   return measures_of(stack, std::move(columns));
+}
+
+LayerStack carried_by_walls(LayerStack stack, const Coordinates& before, const Coordinates& after) {
+  const auto from = frames_of(stack, before), to = frames_of(stack, after);
+  for (LayerColumn& column : stack.columns) {
+    const auto frame = from.find(column.wall_node);
+    if (frame == from.end()) continue;
+    const Eigen::Matrix3d turn = to.at(column.wall_node).axes() * frame->second.axes().transpose();
+    if (turn.allFinite()) column.direction = (turn * column.direction).normalized();
+  }
+  return stack;
 }
 
 void correct_volume_layers(LayerStack& stack, const Coordinates& x) {

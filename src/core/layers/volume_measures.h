@@ -31,6 +31,10 @@ std::vector<double> column_heights(const LayerColumn& column, const Vec3& normal
 /// between its first edge and the normal; -1 inside a fan, along a boundary, and without layers.
 LayerMeasures measure_volume_layers(const LayerStack& stack, const Coordinates& x);
 
+/// The stack after its walls have moved from `before` to `after` (#nodes by 3): directions of
+/// columns turn with the walls at their wall nodes.
+LayerStack carried_by_walls(LayerStack stack, const Coordinates& before, const Coordinates& after);
+
 /// Multiplies the corrections of all layers by the wanted height over the present height, at least
 /// by 1/2 and at most by 2.
 void correct_volume_layers(LayerStack& stack, const Coordinates& x);

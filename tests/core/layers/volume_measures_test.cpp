@@ -97,3 +97,18 @@ TEST_CASE("Corrections are the wanted over the present heights, at most a factor
   CHECK(stack.columns[c].corrections[0] == doctest::Approx(1.25 * 1.25));
   CHECK(stack.columns[(c + 1) % stack.columns.size()].corrections[0] == doctest::Approx(1));
 }
+
+TEST_CASE("columns turn with their walls, so that heights are measured where the walls went") {
+  const Mesh mesh = box_with_ball(5, Volumes::tetrahedra);
+  const auto layers = extruded(mesh, {{"cavity"}, growing_heights(4, 0.01, 1.2), {}});
+  const Coordinates& x = layers.ideal;
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(1.1, Vec3(1, 2, -0.5).normalized()).toRotationMatrix();
+  Coordinates turned = x;
+  for (Index node = 0; node < x.size(); ++node) turned.set_xyz(node, turn * x.xyz(node));
+  const LayerStack carried = carried_by_walls(layers.stack, x, turned);
+  for (std::size_t c = 0; c < carried.columns.size(); ++c)
+    CHECK((carried.columns[c].direction - turn * layers.stack.columns[c].direction).norm() < 1e-9);
+  CHECK(measure_layers(carried, turned).spacing_error.max < 1e-9);
+  CHECK(measure_layers(layers.stack, turned).spacing_error.max > 0.1);
+}
