@@ -133,7 +133,8 @@ class QualitySubcommand : public Subcommand {
     group.on("--histogram", histogram_, "Print histograms too");
     group.value_as("--bins", options_.histogram_bins, "N [20]", "Bins of a histogram")
         ->check(CLI::Range(1, 1000));
-    group.value_as("--threads", options_.threads, "N [0]", "Threads; 0: all cores, or one under MPI")
+    group
+        .value_as("--threads", options_.threads, "N [0]", "Threads; 0: all cores, or one under MPI")
         ->check(CLI::Range(0, 4096));
     group.value("--report", report_, "FILE.json",
                 "Write the same as JSON; -: to the standard output, and what else is said to the "

@@ -184,8 +184,9 @@ class ReplaySubcommand : public Subcommand {
     app().add_option("RECIPE", recipe_, "Recipe to run (JSON)")->required()->type_name("");
     FlagGroup group(app());
     group.value("--input", files_.input, "IN", "Mesh to start from instead of the recipe's");
-    threads_flag_ = group.value_as("--threads", threads_, "N", "Threads; 0: all cores, or one under MPI")
-                        ->check(CLI::Range(0, 4096));
+    threads_flag_ =
+        group.value_as("--threads", threads_, "N", "Threads; 0: all cores, or one under MPI")
+            ->check(CLI::Range(0, 4096));
     add_reference_mesh_flag(app(), files_);
     add_job_flags(app(), files_);
   }
