@@ -338,10 +338,10 @@ TargetsOfSome<2> TargetShapes::build_some(std::span<const Index> elements,
                                           const VirtualControlVolumes& vcv,
                                           const TargetBlend& blend, const Coordinates* given,
                                           int threads, std::span<const Index> urgent,
-                                          const NodeClasses* classes, const ElementDetails& details,
-                                          bool any_without_shape) {
+                                          const NodeClasses* classes,
+                                          const ElementDetails& details) {
   return FaceTargets(vcv, blend, given, threads, urgent, classes, {}, details)
-      .build_some(elements, any_without_shape);
+      .build_some(elements, details.any_without_shape);
 }
 
 }  // namespace winslow

@@ -15,6 +15,8 @@ struct ElementDetails {
   const ElementRoles* roles = nullptr;  ///< of all elements; null: all ordinary
   /// For the share `keep`; null: no wall is stretched.
   const WallStretch* wall_stretch = nullptr;
+  /// For the targets of some elements: CellTargets::without_shape is not 0.
+  bool any_without_shape = false;
 };
 
 /// All targets of a plane mesh or a surface mesh: triangles, and corners of quadrilaterals, each
@@ -40,13 +42,12 @@ struct TargetShapes : CellTargets<2> {
                             std::span<const Index> urgent = {},
                             const NodeClasses* classes = nullptr,
                             std::span<const Vec3> normals = {}, const ElementDetails& details = {});
-  /// Those of some elements (ascending) of a plane mesh. any_without_shape:
-  /// CellTargets::without_shape is not 0.
+  /// Those of some elements (ascending) of a plane mesh.
   static TargetsOfSome<2> build_some(std::span<const Index> elements,
                                      const VirtualControlVolumes& vcv, const TargetBlend& blend,
                                      const Coordinates* given, int threads,
                                      std::span<const Index> urgent, const NodeClasses* classes,
-                                     const ElementDetails& details, bool any_without_shape);
+                                     const ElementDetails& details);
 };
 
 /// Properties of single nodes and elements.
@@ -62,6 +63,8 @@ struct VolumeTargetDetails {
   /// Coordinates (#nodes by 3) in which elements with the role `layer` or `found_layer` have the
   /// shapes that are their targets in every blend; null: their targets are like those of others.
   const Coordinates* layer_shapes = nullptr;
+  /// For the targets of some elements: CellTargets::without_shape is not 0.
+  bool any_without_shape = false;
 };
 
 /// Targets of a volume mesh as the blend says: one for each tetrahedron, one for each corner of the
@@ -91,11 +94,11 @@ CellTargets<3> volume_targets(const Topology& topology, const VolumeVcvs* vcvs,
                               const TargetBlend& blend, const Coordinates* given, int threads = 0,
                               std::span<const Index> urgent = {},
                               const VolumeTargetDetails& details = {});
-/// Those of some elements (ascending). any_without_shape: CellTargets::without_shape is not 0.
+/// Those of some elements (ascending).
 TargetsOfSome<3> volume_targets_of(std::span<const Index> elements, const Topology& topology,
                                    const VolumeVcvs* vcvs, const TargetBlend& blend,
                                    const Coordinates* given, int threads,
                                    std::span<const Index> urgent,
-                                   const VolumeTargetDetails& details, bool any_without_shape);
+                                   const VolumeTargetDetails& details);
 
 }  // namespace winslow

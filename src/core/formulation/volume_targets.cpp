@@ -383,10 +383,10 @@ TargetsOfSome<3> volume_targets_of(std::span<const Index> elements, const Topolo
                                    const VolumeVcvs* vcvs, const TargetBlend& blend,
                                    const Coordinates* given, int threads,
                                    std::span<const Index> urgent,
-                                   const VolumeTargetDetails& details, bool any_without_shape) {
+                                   const VolumeTargetDetails& details) {
   require_volume(topology, "targets of volume elements: the mesh is a ");
   return VolumeTargets(topology, vcvs, blend, given, threads, urgent, details)
-      .build_some(elements, any_without_shape);
+      .build_some(elements, details.any_without_shape);
 }
 
 }  // namespace winslow

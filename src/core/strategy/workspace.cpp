@@ -268,13 +268,12 @@ TargetsOfSome<D> SmoothingWorkspace::targets_of(const FormKey& key, std::span<co
   if constexpr (D == 2) {
     return TargetShapes::build_some(elements, *key.plane_vcvs, key.targets, key.given.get(),
                                     threads, key.urgent, classes,
-                                    {key.roles.get(), key.wall_stretch.get()}, any_without_shape);
+                                    {key.roles.get(), key.wall_stretch.get(), any_without_shape});
   } else {
     return volume_targets_of(elements, classes->topology(), key.space_vcvs.get(), key.targets,
                              key.given.get(), threads, key.urgent,
                              {classes, key.stencils.get(), key.pattern.guarded, key.roles.get(),
-                              key.wall_stretch.get(), key.layer_shapes.get()},
-                             any_without_shape);
+                              key.wall_stretch.get(), key.layer_shapes.get(), any_without_shape});
   }
 }
 
