@@ -5,8 +5,8 @@
 /// The heights of the layers of a volume mesh, normal to the wall:
 ///
 ///     const auto normals = winslow::column_normals(stack, x);
-///     const std::vector<double> heights = winslow::column_heights(stack.columns[c], normals[c],
-///     x); std::printf("first %g, wanted %g\n", heights[0], stack.columns[c].heights[0]);
+///     const auto heights = winslow::column_heights(stack.columns[c], normals[c], x);
+///     std::printf("first %g, wanted %g\n", heights[0], stack.columns[c].heights[0]);
 ///
 /// Let n be the normal of the wall at a column with the direction d and the slant s. The height of
 /// layer k, between the nodes p_k and p_(k+1), is
@@ -26,8 +26,8 @@ std::vector<Vec3> column_normals(const LayerStack& stack, const Coordinates& x);
 std::vector<double> column_heights(const LayerColumn& column, const Vec3& normal,
                                    const Coordinates& x);
 
-/// measure_layers() of a volume mesh; columns have the directions and slants of their walls in x
-/// (#nodes by 3). The thickness of a column is the sum of its heights. The tilt is the angle
+/// measure_layers() of a volume mesh. x: #nodes by 3; where walls have moved since the layers were
+/// inserted, see carried_by_walls(). The thickness of a column is the sum of its heights. The tilt is the angle
 /// between its first edge and the normal; -1 inside a fan, along a boundary, and without layers.
 LayerMeasures measure_volume_layers(const LayerStack& stack, const Coordinates& x);
 

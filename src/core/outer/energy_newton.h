@@ -24,7 +24,7 @@ class EnergyNewton final : public SteadySolver {
   /// The linear solver outlives this. memory: of an earlier one, see take_memory().
   EnergyNewton(std::shared_ptr<const EnergyProblem> problem, LinearSolver& linear,
                const NewtonOptions& options, std::vector<double> memory = {});
-  /// Memory for the matrix of another one: the system takes long to clear so much of it. Ends this.
+  /// The matrix's memory, for the next solver: new memory takes long to clear. Call nothing after.
   std::vector<double> take_memory() { return std::move(hessian_.values); }
 
   const SmoothingProblem& problem() const override { return *problem_; }
