@@ -27,8 +27,9 @@ std::vector<double> column_heights(const LayerColumn& column, const Vec3& normal
                                    const Coordinates& x);
 
 /// measure_layers() of a volume mesh. x: #nodes by 3; where walls have moved since the layers were
-/// inserted, see carried_by_walls(). The thickness of a column is the sum of its heights. The tilt is the angle
-/// between its first edge and the normal; -1 inside a fan, along a boundary, and without layers.
+/// inserted, see carried_by_walls(). The thickness of a column is the sum of its heights. The tilt
+/// is the angle between its first edge and the normal; -1 inside a fan, along a boundary, and
+/// without layers.
 LayerMeasures measure_volume_layers(const LayerStack& stack, const Coordinates& x);
 
 /// The stack after its walls have moved from `before` to `after` (#nodes by 3): directions of

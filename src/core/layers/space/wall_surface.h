@@ -56,9 +56,9 @@ struct WallSurface {
 };
 
 /// Finds the faces of all walls together. A part of a wall (LayerWall::part) has the faces with all
-/// nodes in its box, whatever their z. Throws UsageError for an unknown marker, a face of two walls,
-/// a marker face inside the mesh, a polygon or a polyhedron at a wall, a wall without a face, a
-/// face without area, walls that touch along an edge, and a mesh that is no volume mesh.
+/// nodes in its box, whatever their z. Throws UsageError for an unknown marker, a face of two
+/// walls, a marker face inside the mesh, a polygon or a polyhedron at a wall, a wall without a
+/// face, a face without area, walls that touch along an edge, and a mesh that is no volume mesh.
 WallSurface find_wall_surface(const Mesh& mesh, std::span<const LayerWall> walls);
 
 /// "node 7 at (0, 0.5, 1)", for messages.
